@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <sstream>
 
 #include "core/at.h"
 #include "draw/panels/panel.h"
@@ -37,6 +40,37 @@ CellGrid grid_of(const Rect& room, int cells, int columns, double caption, doubl
   grid.across = (room.width - grid.width) / std::max(1, grid.columns - 1);
   grid.down = caption + grid.height + gap;
   return grid;
+}
+
+/// Titles of several frames as one: "12 to 14 points"; empty if they differ in more than numbers.
+std::string title_of_all(const std::vector<std::string>& titles) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& title : titles) {
+    std::istringstream words(title);
+    rows.emplace_back(std::istream_iterator<std::string>(words),
+                      std::istream_iterator<std::string>());
+    if (rows.back().size() != rows.front().size()) return "";
+  }
+  const auto number = [](std::string word) {
+    std::erase(word, ',');
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    return end == word.c_str() ? std::optional<double>() : value;
+  };
+  std::string all;
+  for (std::size_t i = 0; i < rows.front().size(); ++i) {
+    const std::vector<std::string> words = mapped(rows, [&](const auto& row) { return row[i]; });
+    const auto [least, most] = std::ranges::minmax(words, {}, number);
+    std::string word = std::ranges::max(words, {}, &std::string::size), single = word;
+    if (const std::size_t s = word.rfind('s'); s != std::string::npos) single.erase(s, 1);
+    const auto is_number = [&](const std::string& one) { return number(one).has_value(); };
+    if (std::ranges::all_of(words, is_number) && least != most)
+      word = least.substr(0, least.find_last_not_of(',') + 1) + " to " + most;
+    else if (std::ranges::any_of(words, [&](auto& one) { return one != word && one != single; }))
+      return "";
+    all += (i > 0 ? " " : "") + word;
+  }
+  return all;
 }
 
 /// Height of a page with this grid of cells; `room`: previous height for the cells.
@@ -77,13 +111,17 @@ Strip::Strip(const trace::Header& header, const std::vector<trace::Frame>& frame
              const std::vector<trace::Frame>& shown, const View& view, int width, int height,
              int columns, const FigureStyle& style, const FittedFrames* fitted)
     : header_(&header), shown_(&shown), style_(with_type(style, double(width) / columns)) {
-  // Use the author's title without numbers, which differ from cell to cell, if possible. Otherwise,
-  // or if the title changes over time, use the title of the last frame.
+  // Use the author's title, with the range of its numbers over the cells. If it says something else
+  // in some of them, use the title of the last frame.
   const std::string requested = view.title.value_or(header.title);
   title_ = plain_title(requested);
-  if (title_.find("…") != std::string::npos || requested.find("{from ") != std::string::npos) {
+  if (title_ != requested) {
     lay_out(frames, view, width, height, columns, fitted);
-    title_ = fill_title(*cell_, shown.back());
+    title_ = title_of_all(
+        mapped(shown, [&](const trace::Frame& frame) { return fill_title(*cell_, frame); }));
+    if (title_.empty())
+      title_ =
+          fill_title(*cell_, shown.back()) + " (frame " + std::to_string(shown.back().frame) + ")";
   }
   // The legend follows from the cells, and their size from the rows of the legend.
   lay_out(frames, view, width, height, columns, fitted);

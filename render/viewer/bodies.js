@@ -1,5 +1,6 @@
 // The bodies: one instanced mesh for all of one form, and the lines of their edges.
 
+const WALL = 2.5;  // sizes of a typical body: what is larger may be a wall
 const CREASE = Math.cos(25 * Math.PI / 180);  // flatter edges are not drawn
 const SURFACE = [`
   attribute vec4 tint; varying vec4 vTint; varying vec3 vNormal, vSeen;
@@ -8,10 +9,13 @@ const SURFACE = [`
     vNormal = (viewMatrix * instanceMatrix * vec4(normal, 0.)).xyz; vSeen = seen.xyz; vTint = tint;
     gl_Position = projectionMatrix * seen;
   }`, `
-  uniform vec3 tones, edge; uniform vec2 borders; uniform float alpha, rim;
+  uniform vec3 tones, edge, subject; uniform vec2 borders; uniform float alpha, rim, wall;
   varying vec4 vTint; varying vec3 vNormal, vSeen;
   void main() {
     vec3 n = normalize(vNormal) * (gl_FrontFacing ? 1. : -1.);
+    vec3 middle = (viewMatrix * vec4(subject, 1.)).xyz;
+    // A wall in front of the contacts is cut away: they are behind its face, and farther from the eye.
+    if (wall > 0. && dot(n, middle - vSeen) < -wall && length(vSeen) < length(middle)) discard;
     float lit = dot(n, normalize(vec3(-.5, .75, .62))), facing = abs(dot(n, normalize(vSeen)));
     float tone = lit > borders.x ? tones.x : lit > borders.y ? tones.y : tones.z;
     float outline = rim * (1. - smoothstep(1., 1.6, facing / (fwidth(facing) * (vTint.a > 1.5 ? 3. : 1.6) + 1e-5)));
@@ -49,7 +53,7 @@ function polyhedron(vertices, faces) {
   return geometry;
 }
 
-/** Edges where two faces meet at an angle, and borders: pairs of vertices. */
+/** Edges where two faces meet at an angle, and borders; of a mesh all, unless there are too many: { ends, flat }. */
 function creases(shape) {
   const vertices = (shape.vertices || []).map(point3), found = new Map();
   for (const face of shape.radius > 0 ? [] : shape.faces || []) {
@@ -62,20 +66,23 @@ function creases(shape) {
       else found.set(key, { ends: [corner, end(i)], normal, angle: -1 });
     });
   }
-  return [...found.values()].filter(edge => edge.angle < CREASE).map(edge => edge.ends);
+  const all = shape.type === 'mesh' && found.size < 6000;
+  return [...found.values()].map(({ ends, angle }) => ({ ends, flat: angle >= CREASE })).filter(edge => all || !edge.flat);
 }
 
 class Bodies {
   constructor(scene) {
     // A body is an `a` if it is first in the first pair that names it.
     this.isA = data.shapes.map((_, body) => (data.pairs.find(([a, b]) => a === body || b === body) || [body])[0] === body);
-    const sizes = data.shapes.map(shape => {
+    this.sizes = data.shapes.map(shape => {
       const box = new THREE.Box3().setFromPoints((shape.vertices || []).map(point3));
       return box.isEmpty() ? 0 : box.getSize(new THREE.Vector3()).length() + 2 * (shape.radius || 0);
-    }).filter(size => size > 0).sort((a, b) => a - b);
+    });
+    const sizes = this.sizes.filter(size => size > 0).sort((a, b) => a - b);
     this.size = sizes[sizes.length >> 1] || 1;  // of a typical body, metres
     this.reach = 1.5 * (sizes.pop() || 4);
     this.creases = data.shapes.map(creases);
+    this.subject = { value: new THREE.Vector3() };  // the middle of the contacts
     this.matrices = data.shapes.map(() => new THREE.Matrix4());
     this.here = data.shapes.map(() => false);
     this.probe = new THREE.Mesh();
@@ -91,7 +98,7 @@ class Bodies {
       const material = new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1], transparent: true,
         side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
         uniforms: { tones: { value: point3(data.tones) }, borders: { value: new THREE.Vector2(...data.tone_borders) },
-          edge: { value: new THREE.Vector3() }, alpha: { value: 1 }, rim: { value: round ? 1 : 0 } } });
+          edge: { value: new THREE.Vector3() }, alpha: { value: 1 }, rim: { value: round ? 1 : 0 }, subject: this.subject, wall: { value: 0 } } });
       const mesh = Object.assign(new THREE.InstancedMesh(geometry, material, members.length), { frustumCulled: false });
       scene.add(mesh);
       return { members, mesh, tints };
@@ -124,12 +131,13 @@ class Bodies {
         tints.array.set([...color.get(this.isA[body] ? 'shape_a' : 'shape_b').map(c => stands ? c * 0.86 : c), stands ? 2 : 1], 4 * i);
         if (!shown || !this.here[body] || !creases[body].length) return;
         const world = data.shapes[body].vertices.map(vertex => point3(vertex).applyMatrix4(matrices[body]).toArray());
-        for (const [from, to] of creases[body]) lines.add(world[from], world[to], edge, wide, wide < 1 ? 0.5 : 1);
+        for (const { ends: [from, to], flat } of creases[body]) lines.add(world[from], world[to], edge, flat ? 0.7 : wide, flat ? 0.25 : wide < 1 ? 0.5 : 1);
       });
       mesh.instanceMatrix.needsUpdate = tints.needsUpdate = true;
       mesh.material.uniforms.alpha.value = opaque ? 1 : 0.62;
       mesh.material.uniforms.edge.value.set(...edge);
       mesh.material.depthWrite = opaque;
+      mesh.material.uniforms.wall.value = opaque && data.shapes[members[0]].type !== 'mesh' && this.sizes[members[0]] > WALL * this.size ? 0.2 * this.size : 0;
       mesh.visible = shown;
     }
     lines.object.material.depthTest = opaque;
@@ -142,9 +150,12 @@ class Bodies {
     for (const { members, mesh } of this.forms)
       for (const body of members.filter(member => this.here[member])) {
         Object.assign(this.probe, { geometry: mesh.geometry, material: mesh.material, matrixWorld: this.matrices[body], body });
-        const first = hits.length;
-        this.probe.raycast(raycaster, hits);
-        for (const hit of hits.slice(first)) hit.body = body;
+        const met = [], { wall, subject: { value: subject } } = mesh.material.uniforms, { origin } = raycaster.ray;
+        this.probe.raycast(raycaster, met);
+        // Nothing is hit where the shader cuts a wall away.
+        const isCut = ({ face, point, distance }) => wall.value > 0 && distance < origin.distanceTo(subject) &&
+          face.normal.clone().transformDirection(this.matrices[body]).dot(subject.clone().sub(point)) < -wall.value;
+        for (const hit of met) if (!isCut(hit)) hits.push(Object.assign(hit, { body }));
       }
     return hits.sort((a, b) => a.distance - b.distance).map(hit => hit.body)[0] ?? -1;
   }

@@ -20,6 +20,8 @@ class Layers {
     this.crowd = contacts.manifolds[contacts.first[frame + 1]] - contacts.manifolds[contacts.first[frame]] > CROWD;
     for (const record of recordsOf(frame)) {
       const chosen = selection && selection.pair === contacts.pair[record], few = !this.crowd || chosen;
+      // No arrow is longer than the smaller body.
+      const size = Math.min(bodies.size, ...data.pairs[contacts.pair[record]].slice(0, 2).map(body => bodies.sizes[body] || bodies.size));
       this.drawStages(stagesOf(record), on);
       for (let m = contacts.manifolds[record]; m < contacts.manifolds[record + 1]; ++m) {
         const normal = manifolds.normal.subarray(3 * m, 3 * m + 3), count = manifolds.first[m + 1] - manifolds.first[m], middle = [0, 0, 0];
@@ -37,7 +39,7 @@ class Layers {
             lines.arrow(at, normal, bodies.size * 0.8 * points.impulse[i] / this.strongest, ink('impulses'), few ? 2.5 : 1.5);
           if (chosen && pointKey(i, record) === selection.point) dots.add(at, ink('text'), RING, 12);
         }
-        if (count && on.has('normals') && few) lines.arrow(middle, normal, bodies.size * 0.45, ink('normals'), 2.5);
+        if (count && on.has('normals') && few) lines.arrow(middle, normal, size * 0.45, ink('normals'), 2.5);
       }
     }
     if (worst >= 0 && on.has('contacts')) {

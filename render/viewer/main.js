@@ -47,6 +47,7 @@ async function start() {
     const median = list => list.sort((a, b) => a - b)[list.length >> 1] || 0, middle = [0, 1, 2].map(k => median(places.map(place => place[k])));
     const spread = median(places.map(place => Math.hypot(...middle.map((x, k) => place[k] - x))));
     orbit.target.set(...middle);
+    bodies.subject.value.set(...middle);
     orbit.distance = Math.max(2 * spread, bodies.size * 0.8) / Math.tan(FIELD / 2);
     if (data.camera) {
       const { eye, forward, height, perspective } = data.camera, depth = orbit.target.clone().sub(point3(eye)).dot(point3(forward));

@@ -29,6 +29,8 @@ Finder::Finder(Expression expression) : expression_(std::move(expression)) {
   for (const Expression::Fact& fact : expression_.facts()) {
     wants_poses_ = wants_poses_ || fact.quantity == "motion" || fact.quantity == "turn";
     wants_ids_ = wants_ids_ || fact.quantity.starts_with("ids");
+    wants_manifolds_ = wants_manifolds_ || fact.quantity == "axis" || fact.quantity == "type" ||
+                       (fact.quantity.starts_with("normal_") && fact.quantity != "normal_turn");
   }
 }
 
@@ -80,9 +82,18 @@ void Finder::try_pair(const trace::Pair& now, const trace::Pair* before, const C
   const auto look_up = [&](const std::string& side, const std::string& quantity) {
     if (side.empty()) return value_of(moment, quantity);
     if (before == nullptr) return Value(kUnknown);
-    return value_of({before, nullptr, &before_->frame}, quantity);
+    PairMoment then{before, nullptr, &before_->frame};
+    // The manifold whose normal is nearest.
+    for (std::size_t m = 0; m < before->manifolds.size() && !now.manifolds.empty(); ++m) {
+      const Vec3d& normal = now.manifolds[moment.manifold].normal;
+      if (before->manifolds[m].normal.dot(normal) >
+          before->manifolds[then.manifold].normal.dot(normal))
+        then.manifold = m;
+    }
+    return value_of(then, quantity);
   };
-  if (!expression_.holds(look_up)) return;
+  while (!expression_.holds(look_up))
+    if (!wants_manifolds_ || ++moment.manifold >= now.manifolds.size()) return;
   Hit& hit =
       hits.emplace_back(Hit{now_->frame.frame, now_->frame.time, now.a, now.b, now.label, {}});
   for (const Expression::Fact& fact : expression_.facts())

@@ -16,8 +16,9 @@ struct PairMoment {
   const trace::Pair* now = nullptr;     // never null
   const trace::Pair* before = nullptr;  // null: there is no frame before
   const trace::Frame* frame = nullptr;
-  double age = kUnknown;   // frames of contact without a break; 0 in the first
-  double away = kUnknown;  // frames without contact before that, or up to now
+  std::size_t manifold = 0;  // of `now`: whose texts and normals count
+  double age = kUnknown;     // frames of contact without a break; 0 in the first
+  double away = kUnknown;    // frames without contact before that, or up to now
   std::array<const Pose<double>*, 2> poses{}, poses_before{};  // of a and b; null: unknown
 };
 
@@ -34,7 +35,7 @@ Value value_of(const PairMoment& moment, const std::string& quantity);
 /// "previous", the pair in the frame before.
 const Vocabulary& vocabulary();
 
-/// A pair in a frame for which the expression holds.
+/// A pair in a frame for which the expression holds, for one of its manifolds.
 struct Hit {
   int frame = 0;
   double time = 0;  // seconds
@@ -74,7 +75,7 @@ class Finder {
                 std::vector<Hit>& hits) const;
 
   Expression expression_;
-  bool wants_poses_ = false, wants_ids_ = false;
+  bool wants_poses_ = false, wants_ids_ = false, wants_manifolds_ = false;
   std::optional<Moment> now_, before_;
   int place_ = -1;  // of the frame in the trace
   std::unordered_map<std::string, Contact> contacts_;

@@ -38,13 +38,13 @@ std::string ids_of(const Pair& pair) {
   return separated(joined(pair.manifolds, &Manifold::points), ", ", id_of);
 }
 
-/// A text of the first manifold; empty without one.
+/// A text of the manifold; empty without one.
 template <std::string Manifold::*kMember> Value text_of(const M& m) {
-  return m.now->manifolds.empty() ? std::string() : m.now->manifolds.front().*kMember;
+  return m.now->manifolds.empty() ? std::string() : m.now->manifolds[m.manifold].*kMember;
 }
 
 template <int kAxis> Value normal_of(const M& m) {
-  return m.now->manifolds.empty() ? kUnknown : m.now->manifolds.front().normal[kAxis];
+  return m.now->manifolds.empty() ? kUnknown : m.now->manifolds[m.manifold].normal[kAxis];
 }
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }

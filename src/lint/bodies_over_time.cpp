@@ -2,7 +2,9 @@
 #include <map>
 #include <set>
 
+#include "core/spell.h"
 #include "lint/tally.h"
+#include "trace/find.h"
 
 namespace contactscope::lint {
 namespace {
@@ -16,6 +18,7 @@ class BodiesWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
     if (frames.before == nullptr) last_.clear(), last_turn_.clear(), jumped_.clear();
+    for (Peak* const peak : {&overlap_, &impulse_}) peak->see(*frames.now);
     std::map<std::string, Vec3d> moved;
     std::map<std::string, double> turns;
     std::set<std::string> jumped;
@@ -33,7 +36,7 @@ class BodiesWatch final : public Watch {
       if (is_jump(solids, frames, name, *before, *now, *after))
         jumped.insert(name);
       else if (!jumped_.contains(name))
-        see_flight(frames, name, *before, *now, *after, fastest);
+        see_flight(solids, frames, name, *before, *now, *after, fastest);
     }
     fastest_ = fastest;
     last_ = std::move(moved);
@@ -47,14 +50,51 @@ class BodiesWatch final : public Watch {
         "the frames before and after have it in the same place: check which step's pose is "
         "written, and interpolated poses",
         1, 0, findings);
+    std::vector<Finding> flights;
+    for (const auto& [pair, one] : flights_.pairs) flights.push_back(one.first);
+    std::ranges::stable_sort(flights, {}, &Finding::frame);
+    std::vector<std::string> names;
+    for (const Finding& one : flights) names.push_back("'" + one.a + "'");
+    if (names.size() > kNamed)
+      names[kNamed] = counted(names.size() - kNamed, "other"), names.resize(kNamed + 1);
     flights_.report(
-        "bodies fly off",
+        (names.size() == 1 ? "a body flies off: " : "bodies fly off: ") + listed(names),
         "look at the contacts of the frames just before: deep overlaps that are pushed "
         "out within a step, wrong masses or inertias, or bodies that start in one another",
         1, 0, findings);
   }
 
  private:
+  static constexpr std::size_t kNamed = 5;
+
+  /// The largest value of all pairs up to two frames ago, and in the frame before.
+  struct Peak {
+    double (*of)(const trace::Pair&);
+    const char *before, *after;  // around its value
+    double most = 0, last = 0, now = 0;
+
+    void see(const trace::Frame& frame) {
+      most = std::max(most, last), last = now, now = 0;
+      for (const trace::Pair& pair : frame.pairs) now = std::max(now, of(pair));
+    }
+    /// For a body whose contacts in this frame or the one before exceed all earlier ones; else empty.
+    std::string text_for(const Solids& solids, const Moments& frames,
+                         const std::string& name) const {
+      double peak = 2 * most;
+      std::string text;
+      for (const trace::Frame* frame : {frames.before, frames.now})
+        for (const trace::Pair& pair : frame->pairs) {
+          const bool is_a = solids.body_of(pair.a) == solids.body_of(name);
+          if ((!is_a && solids.body_of(pair.b) != solids.body_of(name)) || of(pair) <= peak)
+            continue;
+          peak = of(pair);
+          text = before + metres(peak) + after + " '" + (is_a ? pair.b : pair.a) + "' in frame " +
+                 std::to_string(frame->frame);
+        }
+      return text;
+    }
+  };
+
   static double turned(const Placed& from, const Placed& to) {
     return to.pose.rotation.angularDistance(from.pose.rotation) * to.size();
   }
@@ -85,18 +125,19 @@ class BodiesWatch final : public Watch {
 
   /// Much faster than anything before, and than itself. At rest there is nothing to compare with:
   /// the first body that moves is shot on purpose.
-  void see_flight(const Moments& frames, const std::string& name, const Placed& before,
-                  const Placed& now, const Placed& after, double& fastest) {
+  void see_flight(const Solids& solids, const Moments& frames, const std::string& name,
+                  const Placed& before, const Placed& now, const Placed& after, double& fastest) {
     ++flights_.of;
     const double step = (after.middle() - now.middle()).norm();
     const double last = (now.middle() - before.middle()).norm();
     if (fastest_ > 0 && step > kLongStep * now.size() && step > kFaster * fastest_ &&
         step > kTimes * last)
       flights_.wrong(frames, name, "", [&] {
-        return std::pair("it moves by " + metres(step) + " m in the next step",
-                         "it moves by " + metres(last) +
-                             " m in this one, and no body by more than " + metres(fastest_) +
-                             " m before");
+        return std::pair(
+            "it moves by " + metres(step) + " m in the next step" +
+                overlap_.text_for(solids, frames, name) + impulse_.text_for(solids, frames, name),
+            "it moves by " + metres(last) + " m in this one, and no body by more than " +
+                metres(fastest_) + " m before");
       });
     else
       fastest = std::max(fastest, step);
@@ -106,6 +147,8 @@ class BodiesWatch final : public Watch {
   std::map<std::string, double> last_turn_;  // metres at the rim
   double fastest_ = 0;                       // metres within a step, of any body
   std::set<std::string> jumped_;             // bodies that were elsewhere in the frame before
+  Peak overlap_{&trace::overlap_of, ", after an overlap of ", " m with"};
+  Peak impulse_{&trace::impulse_of, ", after an impulse of ", " N s from"};
   Tally jumps_{"poses_jump"}, flights_{"bodies_fly_off"};
 };
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "lint/linter.h"
 #include "lint/reading.h"
@@ -7,58 +9,31 @@
 namespace contactscope::lint {
 namespace {
 
-constexpr std::array kMargins = {"margin_added", "margin_taken_off"};
-constexpr std::array kOthers = {"overlap_told_apart",
-                                "overlap_without_contact",
-                                "pair_never_reported",
-                                "pairs_twice",
-                                "pairs_flicker",
-                                "points_twice",
-                                "points_flicker",
-                                "depths_jump",
-                                "normals_jump",
-                                "impulses_flicker",
-                                "poses_jump",
-                                "bodies_fly_off",
-                                "touching_without_points",
-                                "times_do_not_rise",
-                                "ids_alike",
-                                "ids_change",
-                                "mesh_inside_out",
-                                "internal_edge",
-                                "friction_along_normal",
-                                "friction_beyond_normal",
-                                "friction_on_a",
-                                "up_axis",
-                                "world_in_centimetres",
-                                "world_in_millimetres",
-                                "time_in_milliseconds",
-                                "impulses_on_a",
-                                "impulses_are_forces",
-                                "impulses_of_a_substep",
-                                "impulses_halved",
-                                "impulses_doubled",
-                                "impulses_unlike_weights",
-                                "velocities_negated",
-                                "velocities_of_a_step",
-                                "velocities_in_centimetres",
-                                "velocities_in_millimetres",
-                                "velocities_in_frame_of_body",
-                                "spins_negated",
-                                "spins_in_degrees",
-                                "spins_of_a_step",
-                                "spins_in_frame_of_body",
-                                "shape",
-                                "large_margin",
-                                "torn"};
+constexpr std::array kSizes = {"margin_added", "margin_taken_off", "shape_too_large",
+                               "shape_too_small"};
+constexpr std::string_view kOthers =
+    "overlap_told_apart overlap_without_contact pair_never_reported pairs_twice "
+    "pairs_flicker points_twice points_flicker depths_jump normals_jump impulses_flicker "
+    "poses_jump bodies_fly_off touching_without_points times_do_not_rise ids_alike "
+    "ids_change mesh_inside_out internal_edge friction_along_normal "
+    "friction_beyond_normal friction_on_a up_axis world_in_centimetres "
+    "world_in_millimetres time_in_milliseconds impulses_on_a impulses_are_forces "
+    "impulses_of_a_substep impulses_halved impulses_doubled impulses_unlike_weights "
+    "velocities_negated velocities_of_a_step velocities_in_centimetres "
+    "velocities_in_millimetres velocities_in_frame_of_body spins_negated "
+    "spins_in_degrees spins_of_a_step spins_in_frame_of_body shape large_margin torn";
 
 }  // namespace
 
 std::vector<std::string_view> causes() {
-  std::vector<std::string_view> names(kMargins.begin(), kMargins.end());
+  std::vector<std::string_view> names(kSizes.begin(), kSizes.end());
   for (const Mistake& mistake : mistakes()) names.emplace_back(mistake.name);
   for (const char* cause : unexplained_causes()) names.emplace_back(cause);
-  names.insert(names.end(), kOthers.begin(), kOthers.end());
+  for (std::size_t at = 0; at < kOthers.size();) {
+    const std::size_t end = std::min(kOthers.find(' ', at), kOthers.size());
+    names.push_back(kOthers.substr(at, end - at));
+    at = end + 1;
+  }
   return names;
 }
 

@@ -26,47 +26,20 @@ constexpr double kSpeculativeShare = 0.25;
 /// Likewise for 'on_a' and 'on_b' of a point.
 constexpr double kSideTolerances = 4;
 
-Quat<double> read(const Quat<double>& record, Rotation how) {
-  switch (how) {
-    case Rotation::Wxyz:
-      break;
-    case Rotation::Xyzw:  // written as x, y, z, w but read as w, x, y, z
-      return {record.z(), record.w(), record.x(), record.y()};
-    case Rotation::Inverse:
-      return record.conjugate();
-    case Rotation::HalfTheAngle: {
-      const Quat<double> half(1 + std::abs(record.w()), record.x(), record.y(), record.z());
-      return (record.w() < 0 ? Quat<double>(half.w(), -half.x(), -half.y(), -half.z()) : half)
-          .normalized();
-    }
-    case Rotation::MirroredX:
-      return {record.w(), record.x(), -record.y(), -record.z()};
-    case Rotation::MirroredY:
-      return {record.w(), -record.x(), record.y(), -record.z()};
-    case Rotation::MirroredZ:
-      return {record.w(), -record.x(), -record.y(), record.z()};
+Quat<double> read(const Quat<double>& record, const Rotation& how) {
+  if (how == kHalfTheAngle) {
+    const Quat<double> turn =
+        record.w() < 0 ? Quat<double>(-record.coeffs()) : record;  // the same rotation
+    return Quat<double>(1 + turn.w(), turn.x(), turn.y(), turn.z()).normalized();
   }
-  return record;
+  const std::array recorded = {record.w(), record.x(), record.y(), record.z()};
+  const auto part = [&](int i) { return i < 0 ? -at(recorded, -i - 1) : at(recorded, i - 1); };
+  return {part(how[0]), part(how[1]), part(how[2]), part(how[3])};
 }
 
-Vec3d read(const Vec3d& record, Axes axes) {
-  switch (axes) {
-    case Axes::Same:
-      break;
-    case Axes::MirroredX:
-      return {-record.x(), record.y(), record.z()};
-    case Axes::MirroredY:
-      return {record.x(), -record.y(), record.z()};
-    case Axes::MirroredZ:
-      return {record.x(), record.y(), -record.z()};
-    case Axes::YzSwapped:
-      return {record.x(), record.z(), record.y()};
-    case Axes::ZUp:
-      return {record.x(), record.z(), -record.y()};
-    case Axes::YUp:
-      return {record.x(), -record.z(), record.y()};
-  }
-  return record;
+Vec3d read(const Vec3d& record, const Axes& axes) {
+  const auto part = [&](int i) { return i < 0 ? -record[-i - 1] : record[i - 1]; };
+  return {part(axes[0]), part(axes[1]), part(axes[2])};
 }
 
 Vec3d in_world(Frame frame, const Placed& a, const Placed& b, const Vec3d& point) {
@@ -279,6 +252,55 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
                   std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(depth)));
   }
   return verdict;
+}
+
+double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& pair, bool of_a,
+                bool of_b) {
+  const std::optional<Placed> a = place(solids, frames.of_contacts(), pair.a, {});
+  const std::optional<Placed> b = place(solids, frames.of_contacts(), pair.b, {});
+  if (!a || !b) return 0;
+  // The extent is linear as long as the point leaves through the same face, so a few steps do.
+  const auto root_of = [](const auto& function, const auto& is_right) {
+    for (const double start : {1.0, 1.5, 0.7}) {
+      double last = start, at = 0.9 * start, value = function(last);
+      for (int step = 0; step < 4; ++step) {
+        const double now = function(at), next = at - now * (at - last) / (now - value);
+        if (!(next > 0.1 && next < 10)) break;
+        last = at, value = now, at = next;
+        if (is_right(at)) return at;
+      }
+    }
+    return 0.0;
+  };
+  const auto with = [&](double scale) {
+    std::pair<Placed, Placed> placed(*a, *b);
+    if (of_a && !a->solid->is_plane()) placed.first.scale = scale;
+    if (of_b && !b->solid->is_plane()) placed.second.scale = scale;
+    return placed;
+  };
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const trace::Manifold& manifold : pair.manifolds)
+    for (const trace::Point& point : manifold.points) {
+      const auto missing = [&](double scale) {  // of the overlap at the point
+        const auto [scaled_a, scaled_b] = with(scale);
+        const auto exit_a = scaled_a.exit(point.position, manifold.normal);
+        const auto exit_b = scaled_b.exit(point.position, -manifold.normal);
+        return exit_a && exit_b ? -point.separation - *exit_a - *exit_b
+                                : std::numeric_limits<double>::infinity();
+      };
+      const auto is_right = [&](double scale) {
+        const auto [scaled_a, scaled_b] = with(scale);
+        const double off = std::max(std::abs(scaled_a.distance(point.position)),
+                                    std::abs(scaled_b.distance(point.position)));
+        const double tolerance = solids.tolerance_of(scaled_a, scaled_b);
+        return off <= std::abs(point.separation) + tolerance &&
+               std::abs(missing(scale)) <= tolerance / 2;
+      };
+      const double scale = root_of(missing, is_right);
+      if (scale == 0) return 0;
+      least = std::min(least, scale), most = std::max(most, scale);
+    }
+  return most <= kSameScale * least && std::abs(most - 1) > kSameScale - 1 ? (least + most) / 2 : 0;
 }
 
 }  // namespace contactscope::lint

@@ -93,6 +93,13 @@ bool stands_still(const Solids& solids, const Moments& frames, const std::string
 std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const trace::Pair& pair,
                              const Reading& reading);
 
+/// Scales that differ by less are the same.
+inline constexpr double kSameScale = 1.03;
+/// The scale of shape a, of b, or of both alike, under which the shapes have the separations of all
+/// points and the points are on them; 0: there is none.
+double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& pair, bool of_a,
+                bool of_b);
+
 /// Allowed error of claims about two shapes, metres: a share of the smaller one, plus the single
 /// precision rounding of their coordinates.
 double tolerance_of(const Placed& a, const Placed& b);

@@ -24,6 +24,27 @@ constexpr int kNoChance = 3;
 /// One wrong claim in this many may have a cause of its own.
 constexpr int kFixed = 5;
 constexpr double kFar = 1000;  // tolerances: twice the size of the smaller shape
+/// A shape has the wrong size if this share of its pairs fits another one.
+constexpr double kOfShape = 0.5;
+constexpr int kListed = 4;  // more such shapes are only counted
+/// Values, each with the number of its occurrences.
+using Counted = std::vector<std::pair<double, int>>;
+
+/// The median.
+double middle_of(Counted& values) {
+  std::ranges::sort(values);
+  int all = 0, below = 0;
+  for (const auto& [value, times] : values) all += times;
+  for (const auto& [value, times] : values)
+    if ((below += times) > all / 2) return value;
+  return 0;
+}
+
+/// The shape of one of a pair's scales; none for that of both.
+std::string name_of(const WrongPair& wrong, std::size_t scale) {
+  return scale == 0 ? wrong.a : scale == 1 ? wrong.b : "";
+}
+
 /// The amount if all points are off by the same amount beyond the tolerance; else 0.
 double common_depth(const Verdict& verdict) {
   if (verdict.deeper.empty()) return 0;
@@ -46,46 +67,6 @@ bool may_be_rare(const Reading& reading) {
 bool is_about(Form form, const Solids& solids, const trace::Pair& pair) {
   return form == Form::AsReported || solids.find(pair.a, form) != solids.find(pair.a) ||
          solids.find(pair.b, form) != solids.find(pair.b);
-}
-
-std::string point_name(const Problem& problem) {
-  return "point " + std::to_string(problem.point) +
-         (problem.manifold > 0 ? " of manifold " + std::to_string(problem.manifold) : "");
-}
-
-void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
-  const Problem& problem = wrong.problem;
-  const trace::Manifold& manifold = at(pair.manifolds, problem.manifold);
-  switch (problem.kind) {
-    case Wrong::Separation:
-      wrong.said = point_name(problem) + ": separation " +
-                   metres(at(manifold.points, problem.point).separation) + ", normal " +
-                   spelled(manifold.normal);
-      wrong.is = "the separation there along the normal is " + metres(problem.is);
-      break;
-    case Wrong::Surface:
-      wrong.said = point_name(problem) + ": position " +
-                   spelled(at(manifold.points, problem.point).position) + ", separation " +
-                   metres(at(manifold.points, problem.point).separation);
-      wrong.is = "it is " + metres(problem.is) + " off the surface of '" + problem.shape + "'";
-      break;
-    case Wrong::Side:
-      wrong.said = point_name(problem) + ": on the surface of '" + problem.shape + "'";
-      wrong.is = "it is " + metres(problem.is) + " off that surface";
-      break;
-    case Wrong::Normal:
-      wrong.said = "normal " + spelled(manifold.normal);
-      wrong.is = std::isfinite(problem.said) ? "along it the separation is " + metres(problem.said)
-                                             : "the plane is infinite in that direction";
-      if (!problem.best.isZero())
-        wrong.is += "; along " + spelled(problem.best) + " the separation is " +
-                    metres(problem.is) + " (negative: overlap)";
-      break;
-    case Wrong::Deepest:
-      wrong.said = "deepest point: " + metres(problem.said);
-      wrong.is = "the separation of the shapes along the normal is " + metres(problem.is);
-      break;
-  }
 }
 
 struct Words {
@@ -124,7 +105,9 @@ class ClaimsWatch final : public Watch {
     while (report_best_explanation(findings)) continue;
     // If a cause explains nearly all pairs, the others mostly share it and have another error too.
     if (wrong_.untold() < kFewLeft * wrong_.count()) return;
-    report_margin(findings);
+    // A margin is a size of round shapes too.
+    if (!report_margin(findings))
+      while (report_size(findings)) continue;
     std::vector<Finding> unexplained;
     for (int kind = 0; kind < kWrongs; ++kind)
       report_unexplained(static_cast<Wrong>(kind), unexplained);
@@ -142,6 +125,7 @@ class ClaimsWatch final : public Watch {
       before.moment = Moment::FrameBefore;
       if (auto then = judge(solids, frames, pair, before); then) verdict = std::move(then);
     }
+    for (const std::string& name : {pair.a, pair.b, std::string()}) ++judged_of_[name];
     ++judged_;
     moving_ += moves(solids, frames, pair, verdict->tolerance);
     if (verdict->wrong == 0) return count_small_depths(*verdict);
@@ -152,6 +136,11 @@ class ClaimsWatch final : public Watch {
     wrong.b = pair.b;
     wrong.problem = *verdict->worst;
     wrong.deeper = common_depth(*verdict);
+    wrong.size = std::min(1.0, verdict->farthest / (kFar / 2 * verdict->tolerance));
+    if (!options_.shapes_are_given)
+      wrong.scales = {scale_of(solids, frames, pair, true, false),
+                      scale_of(solids, frames, pair, false, true),
+                      scale_of(solids, frames, pair, true, true)};
     wrong.gross = !(verdict->farthest <= kGross * verdict->tolerance);
     wrong.severe =
         !(verdict->farthest <= kSevere * verdict->tolerance) && wrong.problem.kind <= Wrong::Side;
@@ -248,7 +237,7 @@ class ClaimsWatch final : public Watch {
     for (const WrongPair& wrong : wrong_) {
       if (wrong.record || !fits(wrong) || options_.ignores(cause, wrong.a, wrong.b)) continue;
       finding.count += wrong.times;
-      add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b}, &options_);
+      add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
       const auto level = [](const WrongPair& of) { return of.gross + of.severe; };
       if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
     }
@@ -258,6 +247,7 @@ class ClaimsWatch final : public Watch {
     finding.frame = first->frame;
     finding.a = first->a, finding.b = first->b;
     finding.said = first->said, finding.is = first->is;
+    finding.size = first->size;
     finding.marks = marks.kept();
     if (!first->gross && finding.count < kOften * judged_) finding.below = kFewAndSmall;
     return finding;
@@ -320,19 +310,64 @@ class ClaimsWatch final : public Watch {
     return true;
   }
 
-  void report_margin(std::vector<Finding>& findings) {
-    std::vector<std::pair<double, int>> depths;  // and their counts
-    int all = 0;
-    for (const WrongPair& wrong : wrong_) {
-      if (wrong.record || wrong.deeper == 0) continue;
-      depths.emplace_back(wrong.deeper, wrong.times);
-      all += wrong.times;
+  /// Reports the shape that has the wrong size in most of its pairs, or all shapes alike.
+  bool report_size(std::vector<Finding>& findings) {
+    std::map<std::string, Counted> of_shape;
+    for (const WrongPair& wrong : wrong_)
+      for (std::size_t i = 0; i < wrong.scales.size() && !wrong.record; ++i) {
+        if (wrong.scales[i] > 0)
+          of_shape[name_of(wrong, i)].emplace_back(wrong.scales[i], wrong.times);
+      }
+    std::string shape;
+    double scale = 0, share = kOfShape;
+    // In a pair with a static shape, only the other one has another size.
+    const auto fits = [](const WrongPair& wrong, const std::string& name, double common) {
+      for (std::size_t i = 0; i < wrong.scales.size() && !wrong.record; ++i)
+        if ((name.empty() || name_of(wrong, i) == name) &&
+            std::abs(wrong.scales[i] / common - 1) < kSameScale - 1)
+          return true;
+      return false;
+    };
+    for (auto& [name, scales] : of_shape) {
+      const double common = middle_of(scales);
+      int count = 0;
+      for (const WrongPair& wrong : wrong_) count += fits(wrong, name, common) ? wrong.times : 0;
+      const double of_all = double(count) / judged_of_[name];
+      if (count < kNoChance || !(of_all > share)) continue;
+      shape = name, scale = common, share = of_all;
+      if (name.empty()) break;
     }
-    if (depths.empty()) return;
-    std::ranges::sort(depths);
-    auto middle = depths.begin();
-    for (int below = middle->second; below <= all / 2; below += middle->second) ++middle;
-    const double margin = middle->first;
+    if (scale == 0) return false;
+    const auto is_of = [&](const WrongPair& wrong) { return fits(wrong, shape, scale); };
+    Finding finding =
+        gathered(scale < 1 ? "shape_too_large" : "shape_too_small",
+                 (shape.empty() ? "shapes are " : "'" + shape + "' is ") + metres(1 / scale) +
+                     " times as large as in the engine",
+                 "contacts fit it at " + metres(100 * scale) +
+                     " % of its size: check its extents, its scale, and what the engine's margin "
+                     "takes off",
+                 is_of);
+    for (WrongPair& wrong : wrong_) wrong.record = wrong.record || is_of(wrong);
+    finding.below.clear();
+    finding.of = judged_of_[shape];
+    const auto same = std::ranges::find(findings, finding.cause, &Finding::cause);
+    if (same == findings.end()) {
+      if (finding.count > 0) findings.push_back(std::move(finding));
+    } else {
+      same->count += finding.count, same->of += finding.of;
+      if (std::ranges::count(same->what, ',') < kListed)
+        same->what += ", '" + shape + "' " + metres(1 / scale) + " times";
+    }
+    return true;
+  }
+
+  /// Whether a gross one is reported.
+  bool report_margin(std::vector<Finding>& findings) {
+    Counted depths;
+    for (const WrongPair& wrong : wrong_)
+      if (!wrong.record && wrong.deeper != 0) depths.emplace_back(wrong.deeper, wrong.times);
+    if (depths.empty()) return false;
+    const double margin = middle_of(depths);
     const auto has_margin = [&](const WrongPair& wrong) {
       return !wrong.record && std::abs(wrong.deeper - margin) <= 0.1 * std::abs(margin);
     };
@@ -348,10 +383,13 @@ class ClaimsWatch final : public Watch {
         has_margin);
     const int count = finding.count;
     // A single misplaced body has a depth too.
-    if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_)) return;
+    if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_))
+      return false;
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || has_margin(wrong);
     finding.below.clear();
+    const bool is_gross = std::abs(margin) > 0 && finding.size > kGross * 2 / kFar;
     if (count > 0) findings.push_back(std::move(finding));
+    return is_gross;
   }
 
   void report_unexplained(Wrong kind, std::vector<Finding>& findings) {
@@ -368,6 +406,7 @@ class ClaimsWatch final : public Watch {
   int moving_ = 0;  // pairs for which another frame has other poses
   int small_ = 0;
   int small_by_[std::size(kFactors)] = {};
+  std::map<std::string, int> judged_of_;  // by shape
   WrongPairs wrong_;
   std::bitset<kMaxExplanations> has_explained_;
 };

@@ -240,14 +240,17 @@ class ContactsWatch final : public Watch {
         return true;
       is_counted = true;
       (lost.points == 0 ? pairs_ : points_)
-          .wrong_at({lost.frame, lost.line, std::get<0>(key), std::get<1>(key)}, frames, [&] {
-            return std::pair(
-                std::to_string(lost.points) + " points" +
-                    (lost.frames > 1 ? " for " + std::to_string(lost.frames) + " frames" : "") +
-                    ", none at " + spelled(at.a.pose.transform(lost.spot.in_a)),
-                "the separation there is " + metres(lost.farthest) + ", as in frame " +
-                    std::to_string(lost.frame - 1) + ", which has it");
-          });
+          .wrong_at(
+              {lost.frame, lost.line, std::get<0>(key), std::get<1>(key),
+               at.a.pose.transform(lost.spot.in_a)},
+              frames, [&] {
+                return std::pair(
+                    std::to_string(lost.points) + " points" +
+                        (lost.frames > 1 ? " for " + std::to_string(lost.frames) + " frames" : "") +
+                        ", none at " + spelled(at.a.pose.transform(lost.spot.in_a)),
+                    "the separation there is " + metres(lost.farthest) + ", as in frame " +
+                        std::to_string(lost.frame - 1) + ", which has it");
+              });
       return true;
     });
     if (spots.size() >= known.spots.size()) return;
@@ -295,7 +298,8 @@ class ContactsWatch final : public Watch {
     const double turned = known.b_in_a.rotation.angularDistance(at.b_in_a.rotation);
     const auto degrees = [](double radians) { return metres(radians * 180 / std::numbers::pi); };
     const auto mark = [&](const Jump& jump) {
-      return Mark{jump.frame, jump.line, std::get<0>(key), std::get<1>(key)};
+      return Mark{jump.frame, jump.line, std::get<0>(key), std::get<1>(key),
+                  at.a.pose.transform(jump.then.in_a)};
     };
     const auto allowed = [&](const Spot& one, const Spot& other, double by) {
       return kDepthNoise * at.tolerance + by +
@@ -377,11 +381,14 @@ class ContactsWatch final : public Watch {
     for (std::size_t i = 0; i < spots.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (is_same(spots[i], spots[j]))
-          return doubled_.wrong(frames, pair.a, pair.b, [&] {
-            return std::pair("points " + std::to_string(j) + " and " + std::to_string(i) +
-                                 " are at " + spelled(at.a.pose.transform(spots[i].in_a)),
-                             std::string("they are one point"));
-          });
+          return doubled_.wrong(
+              frames, pair.a, pair.b,
+              [&] {
+                return std::pair("points " + std::to_string(j) + " and " + std::to_string(i) +
+                                     " are at " + spelled(at.a.pose.transform(spots[i].in_a)),
+                                 std::string("they are one point"));
+              },
+              spots[i].point->position);
   }
 
   std::map<Key, Known> known_;

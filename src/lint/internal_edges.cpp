@@ -116,11 +116,15 @@ class InternalEdgesWatch final : public Watch {
             outward);
         if (!(lean > kLeaning)) continue;
         frames.explained->try_emplace(&pair, Explained::ButForSigns);
-        tally_.wrong(frames, name, other, [&] {
-          return std::pair("normal " + spelled(manifold.normal) + ", at " + spelled(point.position),
-                           "it leans by " + metres(lean * 180 / std::numbers::pi) +
-                               " degrees from the surface, which continues there");
-        });
+        tally_.wrong(
+            frames, name, other,
+            [&] {
+              return std::pair(
+                  "normal " + spelled(manifold.normal) + ", at " + spelled(point.position),
+                  "it leans by " + metres(lean * 180 / std::numbers::pi) +
+                      " degrees from the surface, which continues there");
+            },
+            point.position);
       }
     }
   }

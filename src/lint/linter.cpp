@@ -25,6 +25,25 @@ bool LintOptions::ignores(const std::string& cause, const std::string& a,
 
 namespace {
 
+struct Cause {
+  bool (*is)(const std::string& cause);
+  std::vector<std::string> effects;
+};
+/// Effects are left out when their cause is reported.
+const std::vector<Cause>& causes_and_effects() {
+  static const std::vector<Cause> all = {
+      {[](const std::string& cause) {
+         return std::ranges::find(mistakes(), cause, &Mistake::name) != mistakes().end();
+       },
+       {"depths_jump", "impulses_flicker", "internal_edge"}},
+      {[](const std::string& cause) {
+         return moves_shapes(cause) || cause == "shape_too_large" || cause == "shape_too_small";
+       },
+       {"overlap_told_apart", "overlap_without_contact", "pair_never_reported"}},
+      {[](const std::string& cause) { return cause == "flipped_normals"; }, {"impulses_on_a"}}};
+  return all;
+}
+
 /// Mistakes that explain wrong claims come first, effects and unexplained claims late. Engines
 /// approximate some kinds of shapes all the time: that comes after things that come and go.
 int rank_of(const Finding& finding) {
@@ -32,7 +51,9 @@ int rank_of(const Finding& finding) {
   if (!is_reported(finding)) return finding.is_hint ? 8 : 7;
   const auto is = [&](auto... names) { return ((finding.cause == names) || ...); };
   if (is("separation", "surface", "side", "normal", "deepest")) return finding.is_severe ? 2 : 6;
-  if (is("overlap_without_contact")) return finding.is_severe ? 2 : 5;
+  if (is("overlap_without_contact", "pair_never_reported")) return finding.is_severe ? 2 : 5;
+  constexpr double kSmall = 0.01;
+  if (finding.size < kSmall && is("margin_added", "margin_taken_off")) return 5;
   if (finding.count < kPart * finding.of &&
       is("points_twice", "ids_alike", "margin_added", "margin_taken_off", "half_depths",
          "depths_in_centimetres", "depths_in_millimetres"))
@@ -41,6 +62,11 @@ int rank_of(const Finding& finding) {
   if (is("normals_jump", "depths_jump", "internal_edge")) return 3;
   if (is("pairs_flicker", "points_flicker")) return 2;
   return is("poses_jump") ? 1 : 0;
+}
+
+/// The share of the cases times the size of the error.
+double grossness(const Finding& finding) {
+  return finding.size * (finding.of > 0 ? double(finding.count) / finding.of : 1);
 }
 
 /// Corners and edges are rounded by a margin.
@@ -147,25 +173,21 @@ std::vector<Finding> Linter::findings() {
   std::erase_if(all, [&](const Finding& finding) {
     return state_->options.ignores(finding.cause, finding.a, finding.b);
   });
-  // They follow from the mistake that is named.
-  const bool is_explained = std::ranges::any_of(mistakes(), [&](const Mistake& mistake) {
-    const auto found = std::ranges::find(all, mistake.name, &Finding::cause);
-    return found != all.end() && is_reported(*found);
-  });
-  if (is_explained)
-    std::erase_if(all, [](const Finding& finding) {
-      return finding.cause == "depths_jump" || finding.cause == "impulses_flicker" ||
-             finding.cause == "internal_edge";
-    });
-  const auto flipped = std::ranges::find(all, "flipped_normals", &Finding::cause);
-  if (flipped != all.end() && is_reported(*flipped))
-    std::erase_if(all, [](const Finding& finding) { return finding.cause == "impulses_on_a"; });
+  for (const Cause& cause : causes_and_effects())
+    if (std::ranges::any_of(all,
+                            [&](auto& one) { return is_reported(one) && cause.is(one.cause); }))
+      std::erase_if(all, [&](const Finding& finding) {
+        return std::ranges::find(cause.effects, finding.cause) != cause.effects.end();
+      });
   for (Finding& finding : all) {
     if (state_->options.strict) finding.below.clear();
     if (finding.marks.empty() && finding.line > 0)
       finding.marks.push_back({finding.frame, finding.line, finding.a, finding.b});
   }
-  std::ranges::stable_sort(all, {}, &rank_of);
+  std::ranges::stable_sort(all, {}, [](const Finding& finding) {
+    const int rank = rank_of(finding);
+    return std::pair(rank, rank > 0 && is_reported(finding) ? -grossness(finding) : 0);
+  });
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,8 +16,9 @@ namespace contactscope::lint {
 /// An occurrence of a problem, for a timeline.
 struct Mark {
   int frame = 0;
-  int line = 0;      // line in the file, from 1; 0: none
-  std::string a, b;  // shapes; b may be empty
+  int line = 0;               // line in the file, from 1; 0: none
+  std::string a, b;           // shapes; b may be empty
+  std::optional<Vec3d> at{};  // world
 };
 
 /// One problem with all its occurrences.
@@ -37,6 +39,7 @@ struct Finding {
   std::string below{};
   bool is_hint = false;    // no fault, but worth knowing
   bool is_severe = false;  // farther off than engines approximate
+  double size = 1;         // of the error, relative to the smaller shape; 1: all of it is wrong
 };
 
 /// Whether it is a fault, and often or large enough.
@@ -85,8 +88,8 @@ class Linter {
   /// Like frame(), for a frame that stays in memory until two more were seen.
   void look_at(const trace::Frame& frame);
 
-  /// After the last frame: mistakes, their effects, and claims that nothing explains, each in the
-  /// order of the watches; then those below a threshold, and hints.
+  /// After the last frame: mistakes, their effects, and claims that nothing explains, the latter
+  /// two by their share of the cases and their size; then those below a threshold, and hints.
   std::vector<Finding> findings();
 
  private:

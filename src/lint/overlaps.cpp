@@ -28,15 +28,17 @@ Aabb<double> box_of(const Placed& placed) {
 struct Missing {
   int count = 0;
   int line = 0, frame = 0;
-  double deepest = 0;
+  double deepest = 0, size = 0;  // metres, and relative to the smaller shape
   bool is_gross = false;
 
   /// Engines that round corners miss a few tolerances.
-  void add(const Moments& frames, double overlap, double tolerance) {
+  void add(const Moments& frames, double overlap, double tolerance, double of, bool hangs = false) {
     constexpr double kGrossly = 15;
-    is_gross = is_gross || overlap > kGrossly * tolerance;
+    is_gross = is_gross || hangs || overlap > kGrossly * tolerance;
+    if (hangs) size = 1;
     if (count++ > 0 && overlap <= deepest) return;
     deepest = overlap;
+    size = hangs ? 1 : std::max(size, overlap / of);
     line = frames.now->line;
     frame = frames.now->frame;
   }
@@ -62,8 +64,9 @@ class OverlapsWatch final : public Watch {
     for (const trace::Pair& pair : frames.now->pairs) {
       const Names names = in_order(pair.a, pair.b);
       record.insert(names);
-      if (!pair.manifolds.empty()) with_contacts_.insert(names);
-      if (pair.manifolds.empty() && !pair.query && pair.state == "separated" && !pair.degenerate)
+      if (!pair.manifolds.empty()) with_contacts_.insert(names), ++touching_;
+      if (pair.manifolds.empty() && !pair.query && pair.state == "separated" && !pair.degenerate &&
+          !pair.voided)
         look(solids, frames, names, separation_);
     }
     std::vector<std::pair<Aabb<double>, const std::string*>> boxes;
@@ -86,8 +89,6 @@ class OverlapsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    for (const Finding& finding : findings)
-      if (moves_shapes(finding.cause)) return;
     report_kind("overlap_told_apart", "shapes that overlap are reported as separated",
                 "check the test that separates them, and the poses", separation_, findings);
     std::erase_if(untold_, [&](const auto& one) { return !with_contacts_.contains(one.first); });
@@ -128,7 +129,9 @@ class OverlapsWatch final : public Watch {
                                           !touched_.contains(solids.body_of(names.second)));
     const bool is_deep = overlap > 4 * tolerance;
     if (is_deep) deep_.insert(names);
-    if (is_deep && !(&list == &untold_ && is_asleep)) list[names].add(frames, overlap, tolerance);
+    const double size = std::min({a->size(), b->size(), 1e6});
+    if (is_deep && !(&list == &untold_ && is_asleep))
+      list[names].add(frames, overlap, tolerance, size);
     if (both_still || solids.body_of(names.first) == solids.body_of(names.second)) return;
     constexpr double kMinimum = 1e-6, kUpright = 0.5;
     const double reach = a->pose.position.norm() + b->pose.position.norm();
@@ -139,7 +142,7 @@ class OverlapsWatch final : public Watch {
     const bool is_hanging =
         overlap > -tolerance / 4 && hangs(solids, frames, up > 0 ? names.second : names.first);
     if (is_hanging) hanging_.insert(names);
-    if (rests || is_hanging) resting_[names].add(frames, overlap, tolerance);
+    if (rests || is_hanging) resting_[names].add(frames, overlap, tolerance, size, is_hanging);
   }
 
   /// Whether nothing is reported that holds a body, and it does not fall.
@@ -157,15 +160,17 @@ class OverlapsWatch final : public Watch {
     std::erase_if(list, [&](const auto& one) {
       return options_ != nullptr && options_->ignores(cause, one.first.first, one.first.second);
     });
-    const auto deepest =
-        std::ranges::max_element(list, {}, [](const auto& one) { return one.second.deepest; });
+    const auto deepest = std::ranges::max_element(list, {}, [](const auto& one) {
+      return std::pair(one.second.is_gross, one.second.deepest);
+    });
     if (deepest == list.end()) return;
     int count = 0;
     for (const auto& one : list) count += one.second.count;
-    findings.push_back({cause, what, remedy, count, 0, deepest->second.line, deepest->second.frame,
-                        deepest->first.first, deepest->first.second, "no contact",
-                        "they overlap by " + metres(deepest->second.deepest) + " m"});
+    findings.push_back({cause, what, remedy, count, touching_ + count, deepest->second.line,
+                        deepest->second.frame, deepest->first.first, deepest->first.second,
+                        "no contact", "they overlap by " + metres(deepest->second.deepest) + " m"});
     findings.back().is_severe = deepest->second.is_gross;
+    findings.back().size = deepest->second.size;
   }
 
   std::set<Names> with_contacts_;
@@ -174,6 +179,7 @@ class OverlapsWatch final : public Watch {
   List separation_, untold_, resting_;
   std::set<Names> hanging_;  // pairs without a contact of a body that nothing else holds
   std::set<Names> deep_;     // pairs without a contact that overlap more than bodies at rest
+  int touching_ = 0;         // pairs with contacts, of all frames
   const LintOptions* options_ = nullptr;
   Vec3d up_;
 };

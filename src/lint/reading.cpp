@@ -1,11 +1,20 @@
 #include "lint/reading.h"
 
+#include <utility>
+
 namespace contactscope::lint {
 
 namespace {
 
 constexpr const char* kOneWorld =
     "write points and normals in the axes of the poses: one right-handed world";
+
+constexpr Rotation kXyzw = {4, 1, 2, 3}, kInverse = {1, -2, -3, -4};
+constexpr Axes kZUp = {1, 3, -2}, kYUp = {1, -3, 2};
+/// The rotation in a world with that axis negated.
+void mirror(Rotation& rotation, std::size_t axis) {
+  for (std::size_t i = 0; i < 3; ++i) rotation[i + 1] *= i == axis ? 1 : -1;
+}
 
 }  // namespace
 
@@ -33,10 +42,10 @@ const std::vector<Mistake>& mistakes() {
        "write contacts and the poses at which they were computed into the same frame",
        [](Reading& r) { r.moment = Moment::FrameAfter; }},
       {"quaternions_xyzw", "quaternions are in the order x, y, z, w",
-       "write w first: the key is 'quat_wxyz'", [](Reading& r) { r.rotation = Rotation::Xyzw; }},
+       "write w first: the key is 'quat_wxyz'", [](Reading& r) { r.rotation = kXyzw; }},
       {"inverse_rotations", "rotations are inverted: from the world to the shape",
        "negate x, y and z of each quaternion; maybe a matrix was read by rows instead of columns",
-       [](Reading& r) { r.rotation = Rotation::Inverse; }},
+       [](Reading& r) { r.rotation = kInverse; }},
       {"points_in_frame_of_a", "points are in the frame of a",
        "transform each by the pose of a: 'position' is in the world",
        [](Reading& r) { r.points = Frame::OfA; }},
@@ -111,28 +120,28 @@ const std::vector<Mistake>& mistakes() {
        [](Reading& r) { r.form = Form::PlanesTurned; }, true},
       {"angles_doubled", "rotation angles are doubled",
        "make each quaternion from the cosine and sine of half the angle",
-       [](Reading& r) { r.rotation = Rotation::HalfTheAngle; }, true},
+       [](Reading& r) { r.rotation = kHalfTheAngle; }, true},
       {"rotations_mirrored_x", "rotations belong to a world mirrored in x",
        "if a left-handed world is mirrored in x, negate y and z of each quaternion too",
-       [](Reading& r) { r.rotation = Rotation::MirroredX; }, true},
+       [](Reading& r) { mirror(r.rotation, 0); }, true},
       {"rotations_mirrored_y", "rotations belong to a world mirrored in y",
        "if a left-handed world is mirrored in y, negate x and z of each quaternion too",
-       [](Reading& r) { r.rotation = Rotation::MirroredY; }, true},
+       [](Reading& r) { mirror(r.rotation, 1); }, true},
       {"rotations_mirrored_z", "rotations belong to a world mirrored in z",
        "if a left-handed world is mirrored in z, negate x and y of each quaternion too",
-       [](Reading& r) { r.rotation = Rotation::MirroredZ; }, true},
+       [](Reading& r) { mirror(r.rotation, 2); }, true},
       {"contacts_mirrored_x", "contacts are mirrored in x, compared with the poses", kOneWorld,
-       [](Reading& r) { r.axes = Axes::MirroredX; }, true},
+       [](Reading& r) { r.axes[0] = -1; }, true},
       {"contacts_mirrored_y", "contacts are mirrored in y, compared with the poses", kOneWorld,
-       [](Reading& r) { r.axes = Axes::MirroredY; }, true},
+       [](Reading& r) { r.axes[1] = -2; }, true},
       {"contacts_mirrored_z", "contacts are mirrored in z, compared with the poses", kOneWorld,
-       [](Reading& r) { r.axes = Axes::MirroredZ; }, true},
+       [](Reading& r) { r.axes[2] = -3; }, true},
       {"contacts_y_z_swapped", "contacts have y and z swapped, compared with the poses", kOneWorld,
-       [](Reading& r) { r.axes = Axes::YzSwapped; }, true},
+       [](Reading& r) { std::swap(r.axes[1], r.axes[2]); }, true},
       {"contacts_z_up", "contacts have z up, and poses have y up", kOneWorld,
-       [](Reading& r) { r.axes = Axes::ZUp; }, true},
+       [](Reading& r) { r.axes = kZUp; }, true},
       {"contacts_y_up", "contacts have y up, and poses have z up", kOneWorld,
-       [](Reading& r) { r.axes = Axes::YUp; }, true},
+       [](Reading& r) { r.axes = kYUp; }, true},
   };
   return kMistakes;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,10 @@ enum class Moment { OfFrame, FrameBefore, FrameAfter };
 /// The frame of reference of vectors.
 enum class Frame { World, OfA, OfB };
 
-/// Meaning of a rotation's four numbers. Mirrored: of a world with that axis negated.
-enum class Rotation { Wxyz, Xyzw, Inverse, HalfTheAngle, MirroredX, MirroredY, MirroredZ };
-
-/// Axes of contact points and normals relative to those of poses.
-enum class Axes { Same, MirroredX, MirroredY, MirroredZ, YzSwapped, ZUp, YUp };
+/// Where each of several numbers is recorded, from 1; negative: with the other sign.
+using Axes = std::array<int, 3>;      // of contact points and normals, relative to those of poses
+using Rotation = std::array<int, 4>;  // w, x, y, z
+inline constexpr Rotation kHalfTheAngle = {};
 
 /// The shapes that collided, if they differ from the trace's.
 enum class Form {
@@ -53,16 +53,16 @@ struct Reading {
   Frame points = Frame::World;
   double point_scale = 1;
   Moment moment = Moment::OfFrame;
-  Rotation rotation = Rotation::Wxyz;
+  Rotation rotation = {1, 2, 3, 4};
   bool at_center_of_mass = false;  // positions are of the centre of mass, not of the shape's origin
   double shape_scale = 1;
   bool sides_swapped = false;  // on_a is on b, and on_b on a
-  Axes axes = Axes::Same;
+  Axes axes = {1, 2, 3};
   Form form = Form::AsReported;
 
   /// Whether shapes or poses differ from the trace's.
   bool moves_shapes() const {
-    return moment != Moment::OfFrame || rotation != Rotation::Wxyz || at_center_of_mass ||
+    return moment != Moment::OfFrame || rotation != Reading().rotation || at_center_of_mass ||
            shape_scale != 1 || form != Form::AsReported;
   }
 

@@ -68,14 +68,14 @@ struct Tally {
     add_mark(marks, std::move(mark), frames.options);
   }
   template <class Words>
-  void wrong(const Moments& frames, const std::string& a, const std::string& b,
-             const Words& words) {
-    wrong_at({frames.now->frame, frames.now->line, a, b}, frames, words);
+  void wrong(const Moments& frames, const std::string& a, const std::string& b, const Words& words,
+             const std::optional<Vec3d>& at = std::nullopt) {
+    wrong_at({frames.now->frame, frames.now->line, a, b, at}, frames, words);
   }
 
   /// Reports the problem, as below the threshold unless it occurs at least `least` times and in
   /// that share of the cases.
-  void report(const char* what, const char* remedy, int least, double share,
+  void report(const std::string& what, const char* remedy, int least, double share,
               std::vector<Finding>& findings) const {
     if (count == 0) return;
     // One pair may have nearly all of them, and another one the first.

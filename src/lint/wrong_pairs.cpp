@@ -2,29 +2,76 @@
 
 #include <cmath>
 
+#include "core/at.h"
+#include "lint/watch.h"
+
 namespace contactscope::lint {
 namespace {
 
 /// Pairs kept individually. With the distinct later ones they take some megabytes.
 constexpr std::size_t kWhole = 4000;
 constexpr std::size_t kMax = 2 * kWhole;
-/// Depths within this factor are the same.
-constexpr double kSameDepth = 1.05;
+/// Depths and scales within this factor are the same.
+constexpr double kSame = 1.05;
+
+std::string rounded(double value) {
+  return std::to_string(std::lround(std::log(std::abs(value)) / std::log(kSame)));
+}
 
 /// Key of everything that is reported of a pair, except its position in the trace.
 std::string signature_of(const WrongPair& pair) {
   std::string signature = pair.explained_by.to_string();
   signature += pair.severe ? '#' : pair.gross ? '!' : '.';
   signature += std::to_string(static_cast<int>(pair.problem.kind));
-  if (pair.deeper != 0) {
-    signature += pair.deeper > 0 ? '+' : '-';
-    signature +=
-        std::to_string(std::lround(std::log(std::abs(pair.deeper)) / std::log(kSameDepth)));
-  }
+  if (pair.deeper != 0) signature += (pair.deeper > 0 ? '+' : '-') + rounded(pair.deeper);
+  for (std::size_t i = 0; i < pair.scales.size(); ++i)
+    if (pair.scales[i] > 0)
+      signature += (i == 0 ? pair.a : i == 1 ? pair.b : "") + '*' + rounded(pair.scales[i]);
   return signature;
 }
 
+std::string point_name(const Problem& problem) {
+  return "point " + std::to_string(problem.point) +
+         (problem.manifold > 0 ? " of manifold " + std::to_string(problem.manifold) : "");
+}
+
 }  // namespace
+
+void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
+  const Problem& problem = wrong.problem;
+  const trace::Manifold& manifold = at(pair.manifolds, problem.manifold);
+  wrong.at = at(manifold.points, problem.point).position;
+  switch (problem.kind) {
+    case Wrong::Separation:
+      wrong.said = point_name(problem) + ": separation " +
+                   metres(at(manifold.points, problem.point).separation) + ", normal " +
+                   spelled(manifold.normal);
+      wrong.is = "the separation there along the normal is " + metres(problem.is);
+      break;
+    case Wrong::Surface:
+      wrong.said = point_name(problem) + ": position " +
+                   spelled(at(manifold.points, problem.point).position) + ", separation " +
+                   metres(at(manifold.points, problem.point).separation);
+      wrong.is = "it is " + metres(problem.is) + " off the surface of '" + problem.shape + "'";
+      break;
+    case Wrong::Side:
+      wrong.said = point_name(problem) + ": on the surface of '" + problem.shape + "'";
+      wrong.is = "it is " + metres(problem.is) + " off that surface";
+      break;
+    case Wrong::Normal:
+      wrong.said = "normal " + spelled(manifold.normal);
+      wrong.is = std::isfinite(problem.said) ? "along it the separation is " + metres(problem.said)
+                                             : "the plane is infinite in that direction";
+      if (!problem.best.isZero())
+        wrong.is += "; along " + spelled(problem.best) + " the separation is " +
+                    metres(problem.is) + " (negative: overlap)";
+      break;
+    case Wrong::Deepest:
+      wrong.said = "deepest point: " + metres(problem.said);
+      wrong.is = "the separation of the shapes along the normal is " + metres(problem.is);
+      break;
+  }
+}
 
 void WrongPairs::add(WrongPair pair, bool individually) {
   ++count_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <string>
 #include <unordered_map>
@@ -18,13 +19,20 @@ struct WrongPair {
   std::string a, b;
   Problem problem;
   std::string said, is;
-  double deeper = 0;  // metres of excess overlap if all points agree; else 0
+  std::optional<Vec3d> at{};  // the point of the problem, world
+  double deeper = 0;          // metres of excess overlap if all points agree; else 0
+  /// The scale of a, of b, or of both alike, under which all points fit; 0: there is none.
+  std::array<double, 3> scales{};
+  double size = 1;  // of the error, relative to the smaller shape
   std::bitset<kMaxExplanations> explained_by;
   bool gross = false;   // beyond most of an engine's approximations
   bool severe = false;  // beyond all of them
   bool record = false;
   int times = 1;  // number of pairs
 };
+
+/// Writes what is said and what is measured, from its problem.
+void put_in_words(const trace::Pair& pair, WrongPair& wrong);
 
 /// The wrong pairs of a trace of any length: the first few thousand individually, later ones only
 /// if they differ, with their count.

@@ -40,6 +40,7 @@ struct Fault {
   struct Place {
     int frame = 0;
     std::string a, b;  // shapes; b may be empty
+    std::optional<Vec3d> at{};
   };
   std::string cause;            // "flipped_normals"
   int count = 0, of = 0;        // occurrences, out of this many; 0: not counted

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 
 #include "draw/drawn_texts.h"
 #include "draw/panels/panel.h"
@@ -359,6 +360,68 @@ TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
     if (pair.b == "crate_2") {
       EXPECT_EQ(marked["!3"], pair.manifolds[0].points[0].position);
     }
+}
+
+/// A ring is at the point of its finding, not at the deepest one of the pair, and has a row.
+TEST(HeapPanels, RingsOfLintAreAtTheirPointsAndInThePanel) {
+  Heap heap(6);
+  const Vec3d point(0.3, 0.1, 0.2);
+  for (int fault = 0; fault < 8; ++fault) {
+    heap.view.faults.push_back({"points_flicker", 9, 40, 0, {}});
+    for (int i = 0; i < 4; ++i)
+      heap.view.faults.back().places.push_back({0, "floor",
+                                                "crate_" + std::to_string(4 * fault + i),
+                                                point + Vec3d(0, 0, 0.01 * fault)});
+  }
+  std::set<std::string> rings, rows;
+  for (const Label& label : sketch_frame(heap.staged(), heap.frames[0]).labels)
+    if (label.text.starts_with("!")) {
+      rings.insert(label.text);
+      const int fault = (std::stoi(label.text.substr(1)) - 1) / 3;
+      EXPECT_LT((label.at - point - Vec3d(0, 0, 0.01 * fault)).norm(), 1e-12) << label.text;
+    }
+  for (const std::string& text : panel_texts(heap, Panel::Lint))
+    if (text.starts_with("!")) rows.insert(text.substr(0, text.find(' ')));
+  EXPECT_EQ(rings, rows);
+  EXPECT_GE(rings.size(), 6u);
+  EXPECT_LT(rings.size(), 24u);
+}
+
+/// The panel of a heap of few contacts, with the arrows' lengths.
+TEST(HeapPictures, NormalsAreNotLongerThanTheBodies) {
+  const auto longest = [](double floor) {
+    Heap heap(5, floor);  // 25 contacts
+    double most = 0;
+    const Staging staging = heap.staged();
+    for (const Arrow& arrow : sketch_frame(staging, heap.frames[0]).arrows) {
+      const double pixels = staging.camera.pixels_per_metre(arrow.from);
+      most = std::max(most, arrow.pixels / pixels);
+    }
+    return most;
+  };
+  // A crate of 0.5 m is 0.87 m from corner to corner.
+  EXPECT_GT(longest(3), 0.2);
+  EXPECT_LT(longest(3), 0.88);
+  EXPECT_LT(longest(12), 0.88);
+}
+
+/// The label of the worst pair is above all bodies that it would cover.
+TEST(HeapPictures, TheLabelOfTheWorstPairCoversNoBody) {
+  Heap heap(6);
+  const Staging staging = heap.staged();
+  for (const Label& label : sketch_frame(staging, heap.frames[0]).labels) {
+    if (label.text.find("crate") == std::string::npos) continue;
+    const auto from = staging.camera.project(label.at);
+    ASSERT_TRUE(from.has_value());
+    const double bottom = from->y - label.clearance;
+    for (const auto& [name, pose] : heap.frames[0].poses) {
+      const auto middle = staging.camera.project(pose.position);
+      if (name == "floor" || !middle || std::abs(middle->x - from->x) > 60) continue;
+      EXPECT_LT(bottom, middle->y) << name;
+    }
+    return;
+  }
+  ADD_FAILURE() << "no pair is named";
 }
 
 TEST(HeapPanels, OverlapsCountEachPointOnce) {

@@ -57,6 +57,29 @@ TEST(Strip, HasOneTitleOneLegendAndAMomentACell) {
   EXPECT_LT(legend_of(strip.cell(), scene.frames[9]).listed.size(), legend_of_one.size());
 }
 
+TEST(Strip, ItsTitleSpeaksOfAllFramesThatAreDrawn) {
+  CrateOnSlab scene = rising();
+  for (std::size_t f = 1; f < 6; ++f) {
+    scene.frames[f].pairs = scene.frames[0].pairs;
+    for (trace::Point& point : scene.frames[f].pairs[0].manifolds[0].points)
+      point.separation -= 0.001 * static_cast<double>(f);
+  }
+  scene.frames[5].pairs[0].manifolds[0].points.pop_back();
+  scene.view.title = "Engine: {kept:point}, {overlap} deep | Engine: nothing touches";
+  const auto title_of = [&](std::vector<std::size_t> numbers) {
+    std::vector<trace::Frame> shown;
+    for (const std::size_t f : numbers) shown.push_back(scene.frames[f]);
+    const Drawing page =
+        Strip(scene.header, scene.frames, shown, scene.view, 1600, 0, 3, {}).page();
+    const std::vector<Text> titles = texts_of(page, "Engine");
+    return titles.size() == 1 ? titles[0].text : std::string();
+  };
+  EXPECT_EQ(title_of({0, 1, 3}), "Engine: 2 points, 2.00 to 5.00 mm deep");
+  EXPECT_EQ(title_of({3, 0, 5}), "Engine: 1 to 2 points, 2.00 to 7.00 mm deep");
+  EXPECT_EQ(title_of({9, 0, 5}), "Engine: 1 point, 7.00 mm deep (frame 5)");
+  EXPECT_EQ(title_of({7, 8, 9}), "Engine: nothing touches");
+}
+
 TEST(Strip, CellsStandInRowsAndDoNotOverlap) {
   const CrateOnSlab scene = rising();
   const std::vector<trace::Frame> shown(scene.frames.begin(), scene.frames.begin() + 5);

@@ -95,6 +95,35 @@ TEST(Finder, ChangesFromTheFrameBefore) {
   EXPECT_THAT(find("turn > 11 deg and turn < 12 deg"), ElementsAre(At{4, "crate"}, At{5, "crate"}));
 }
 
+/// As on a mesh, where each triangle has a manifold.
+TEST(Finder, OfSeveralManifoldsOneFits) {
+  std::vector<trace::Frame> frames(2);
+  for (trace::Frame& frame : frames) {
+    frame.pairs = {pair_of("crate", {0, 1, 0}, {-0.001})};
+    trace::Manifold second = frame.pairs[0].manifolds[0];
+    second.normal = {0.6, 0.8, 0};
+    second.axis = "edge_edge";
+    frame.pairs[0].manifolds.push_back(second);
+  }
+  frames[1].frame = 1;
+  frames[1].pairs[0].manifolds[1].normal = {0.8, 0.6, 0};
+  const auto found = [&](const char* text) {
+    Finder finder{Expression(text, vocabulary())};
+    std::vector<std::pair<int, std::vector<Value>>> hits;
+    for (const trace::Frame& frame : frames)
+      for (const Hit& hit : finder.next(frame)) hits.emplace_back(hit.frame, hit.values);
+    return hits;
+  };
+  using Values = std::vector<Value>;
+  EXPECT_THAT(found("normal_y < .9"),
+              ElementsAre(std::pair(0, Values{0.8}), std::pair(1, Values{0.6})));
+  EXPECT_THAT(found("normal_y > .9 and normal_x > .5"), IsEmpty());  // of one and the same
+  EXPECT_THAT(found("axis == 'edge_edge' and frame == 0"),
+              ElementsAre(std::pair(0, Values{std::string("edge_edge"), 0.0})));
+  EXPECT_THAT(found("normal_x - previous.normal_x > .1"),
+              ElementsAre(std::pair(1, Values{0.8, 0.6})));
+}
+
 TEST(Finder, AgeAndAbsenceOfAContact) {
   EXPECT_THAT(find("age == 0"),
               ElementsAre(At{0, "crate"}, At{0, "ball"}, At{1, "rod"}, At{4, "ball"}));

@@ -132,6 +132,65 @@ TEST(LintFaults, ABodyThatFliesOffIsNamedWithItsFrame) {
   EXPECT_EQ(flight->a, body);
 }
 
+/// Each shape of the heaps that moves, scaled in the trace alone.
+TEST(LintFaults, SlowAShapeOfAnotherSizeThanInTheEngineIsNamed) {
+  int named = 0, all = 0;
+  std::ostringstream misses;
+  for (const Source& source : heaps())
+    for (std::size_t i = 0; i < source.trace.header.shapes.size(); ++i)
+      for (const double factor : {0.8, 1.2}) {
+        Trace trace = source.trace;
+        trace::Shape& shape = trace.header.shapes[i];
+        const auto touches = [&](const trace::Pair& pair) {
+          return !pair.manifolds.empty() && (pair.a == shape.name || pair.b == shape.name);
+        };
+        // One contact has any margin as its cause.
+        if (shape.half_space || std::ranges::count_if(trace.frames[0].pairs, touches) < 2) continue;
+        const bool is_static =
+            trace.frames[0].poses[i].second.position == trace.frames[59].poses[i].second.position;
+        if (is_static) continue;
+        for (Vec3d& vertex : shape.vertices) vertex *= factor;
+        shape.radius *= factor, shape.margin *= factor;
+        const std::vector<Finding> findings = lint(trace);
+        const char* const cause = factor > 1 ? "shape_too_large" : "shape_too_small";
+        const std::string what =
+            "'" + shape.name + "' is " + (factor > 1 ? "1.2" : "0.8") + " times";
+        ++all;
+        if (!findings.empty() && findings[0].cause == cause && findings[0].what.starts_with(what))
+          ++named;
+        else
+          misses << source.name << ", " << what << ": " << named_in(findings)
+                 << (findings.empty() ? "" : findings[0].what) << "\n";
+      }
+  EXPECT_GT(all, 20);
+  EXPECT_GE(named, 0.8 * all) << named << " of " << all << "\n" << misses.str();
+}
+
+TEST(LintFaults, ManyBodiesThatFlyOffAreNamedWithTheOverlapBefore) {
+  Trace trace = recorded_by(&test::record_in_bullet, World::Heap);
+  std::vector<std::string> bodies;
+  for (const trace::Body& body : trace.frames[0].solver->bodies)
+    if (bodies.size() < 7) bodies.push_back(body.name);
+  std::ranges::sort(bodies);
+  for (std::size_t f = 31; f < 60; ++f)
+    for (trace::Placement& one : trace.frames[f].poses)
+      if (std::ranges::find(bodies, one.first) != bodies.end())
+        one.second.position.y() += 3 * static_cast<double>(f - 30);
+  for (trace::Pair& pair : trace.frames[30].pairs)
+    if (std::ranges::find(bodies, pair.a) != bodies.end() ||
+        std::ranges::find(bodies, pair.b) != bodies.end())
+      for (trace::Manifold& manifold : pair.manifolds) manifold.points[0].separation = -0.3;
+  const std::vector<Finding> findings = lint(trace);
+  const auto flight = std::ranges::find(findings, "bodies_fly_off", &Finding::cause);
+  ASSERT_NE(flight, findings.end()) << named_in(findings);
+  EXPECT_EQ(flight->count, 7);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    EXPECT_EQ(flight->what.find("'" + bodies[i] + "'") != std::string::npos, i < 5) << flight->what;
+  EXPECT_THAT(flight->what, testing::EndsWith(" and 2 others"));
+  EXPECT_THAT(flight->said, testing::HasSubstr("after an overlap of 0.3 m with '"));
+  EXPECT_THAT(flight->said, testing::HasSubstr("in frame " + std::to_string(flight->frame)));
+}
+
 TEST(LintFaults, EveryOccurrenceInTheRequestedFramesIsMarked) {
   // So many that a sample would leave out most of them.
   Trace trace = stacks()[0].trace;

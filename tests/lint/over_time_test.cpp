@@ -90,6 +90,30 @@ TEST(LintOverTime, OfManyPairsThatFlickerTheOneThatDoesMostIsNamed) {
   EXPECT_GT(findings.front().frame, trace.frames[8].frame);
 }
 
+/// A plate in the ground, on which the lowest crate stands too, by 0.1 mm, and which no pair names.
+TEST(LintOverTime, ASmallFindingIsNotBeforeAGrossOne) {
+  Trace trace = stack();
+  const std::string ground = trace.frames[0].pairs[0].a, crate = trace.frames[0].pairs[0].b;
+  trace::Shape plate = *std::ranges::find(trace.header.shapes, crate, &trace::Shape::name);
+  const auto [low, high] =
+      std::ranges::minmax(plate.vertices, {}, [](const Vec3d& vertex) { return vertex.y(); });
+  const double height = high.y() - low.y();
+  plate.name = "plate";
+  trace.header.shapes.push_back(plate);
+  Pose<double> pose = pose_of(trace.frames[0], crate);
+  pose.position.y() -= height - 1e-4;
+  for (trace::Frame& frame : trace.frames) frame.poses.emplace_back("plate", pose);
+  const std::vector<Finding> small = lint(trace);
+  ASSERT_THAT(causes_of(small), ElementsAre("pair_never_reported"));
+  EXPECT_FALSE(small[0].is_severe);
+  EXPECT_EQ(small[0].count, static_cast<int>(trace.frames.size()));
+  EXPECT_LT(small[0].size, 1e-3);
+  trace.frames[12].pairs.erase(trace.frames[12].pairs.begin() + 5);
+  const std::vector<std::string> both = found_in(trace);
+  EXPECT_EQ(both.front(), "pairs_flicker");
+  EXPECT_EQ(both.back(), "pair_never_reported");
+}
+
 TEST(LintOverTime, PointsThatAreThereTwiceExplainTheirImpulses) {
   Trace trace = stack();
   each_of(trace, 5,

@@ -83,8 +83,8 @@ class InChromium : public testing::Test {
   }
 
   /// The result of a script that runs in the page when it is drawn.
-  json result(const std::string& script) const {
-    const std::string page = folder_.write("page.html", page_of(rising()));
+  json result(const std::string& script, const CrateOnSlab& scene = rising()) const {
+    const std::string page = folder_.write("page.html", page_of(scene));
     const std::string command =
         "timeout 120 node '" CONTACTSCOPE_VIEWER_TESTS "/in_chromium.mjs' " + chromium_ +
         " 'file://" + page + "#frame=6&find=points+%3E+1' '" + (folder_ / "profile") + "' < '" +
@@ -201,6 +201,42 @@ TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
     EXPECT_TRUE(row[1].is_object()) << row[0];
     EXPECT_THAT(page["places"][i], testing::Contains(row[2].get<int>() / 3)) << row[0];
   }
+}
+
+/// Fifteen crates on a slab, and a wall next to them that is much larger: seen from its side, and from
+/// the other one.
+TEST_F(InChromium, AWallBetweenTheEyeAndTheContactsIsCutAway) {
+  CrateOnSlab scene = rising();
+  const auto add = [&](const std::string& name, double factor, double flat, const Vec3d& at) {
+    trace::Shape shape = scene.header.shapes[1];
+    shape.name = name;
+    for (Vec3d& vertex : shape.vertices) vertex *= factor, vertex.z() *= flat;
+    scene.header.shapes.push_back(shape);
+    for (trace::Frame& frame : scene.frames)
+      frame.poses.emplace_back(name, Pose<double>{Quatd::Identity(), at});
+  };
+  for (int i = 0; i < 14; ++i) add("other " + std::to_string(i), 1, 1, {3.0 * i, 50, 0});
+  add("wall", 12, 0.01, {0, 0, 4});
+  const json page = result(R"(
+    const { data, orbit, bodies, go } = contactscope, canvas = document.getElementById('view'), ray = new THREE.Raycaster();
+    go(0);
+    return Object.fromEntries([1, -1].map(side => {
+      orbit.target.set(0, 0, 0);
+      orbit.lookFrom([0, 0.1, side]);
+      orbit.distance = 20;
+      orbit.place(canvas.clientWidth, canvas.clientHeight, 100);
+      const hit = place => {
+        const { x, y } = place.project(orbit.camera);
+        ray.setFromCamera({ x, y }, orbit.camera);
+        return (data.shapes[bodies.hit(ray)] || {}).name || '';
+      };
+      const crate = new THREE.Vector3().setFromMatrixPosition(bodies.matrices[1]);
+      return [side, [hit(crate), hit(new THREE.Vector3(-2, 4, 4))]];
+    }));)",
+                           scene);
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  EXPECT_EQ(page["1"], (json{"crate <b>&amp;", ""}));
+  EXPECT_EQ(page["-1"], (json{"crate <b>&amp;", "wall"}));
 }
 
 /// Number of records that `find` finds in the trace of the page.

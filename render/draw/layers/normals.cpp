@@ -6,6 +6,7 @@
 
 #include "core/at.h"
 #include "draw/layers/layer.h"
+#include "draw/scene/contact_facts.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 
@@ -160,6 +161,18 @@ void draw_voided(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                  arrow.from);
 }
 
+/// In a heap too small for draw_crowd(), no arrow is longer than the smaller body.
+void shorten(const Scene& scene, const trace::Pair& pair, Arrow& arrow) {
+  constexpr std::size_t kMany = 6;
+  constexpr float kShortest = 20, kSlim = 2, kSmallHead = 8;
+  if (!scene.crowded() || scene.frame.pairs.size() < kMany) return;
+  const double width = 2 * smaller_radius(pair, scene.meshes) *
+                       scene.camera.pixels_per_metre(arrow.from) / scene.scales.pixel;
+  if (width >= static_cast<double>(arrow.pixels)) return;
+  arrow.pixels = std::max(kShortest, static_cast<float>(width));
+  arrow.width = std::min(arrow.width, kSlim), arrow.head = std::min(arrow.head, kSmallHead);
+}
+
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.scales.heap) return;  // see draw_crowd()
   draw_rivals(scene, pair, sketch);
@@ -181,6 +194,7 @@ void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       arrow.pixels = 26, arrow.width = 1.5f, arrow.head = 7;
     else if (many && !stands_out)
       arrow.pixels = 44, arrow.width = 2, arrow.head = 9;
+    shorten(scene, pair, arrow);
     if (!has_room(scene.camera, arrow)) continue;
     sketch.arrows.push_back(arrow);
     const Vec3d ahead = arrow.from + 0.7 * arrow.pixels /

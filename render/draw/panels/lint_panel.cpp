@@ -12,7 +12,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kRows = 9;     // the panel's, without its heading
+constexpr std::size_t kRows = 16;    // the panel's, without its heading
 constexpr std::size_t kOfFault = 3;  // places of a fault that are listed
 constexpr LineStyle kFaultOutline{1.8f, kText, true};
 
@@ -25,22 +25,28 @@ struct InFrame {
   const Fault* fault;
   std::vector<const Fault::Place*> places{};
   std::size_t before = 0;  // listed places of the faults before
+  std::size_t room = 0;    // rows of the panel for the places
 
-  std::size_t listed() const { return std::min(places.size(), kOfFault); }
+  std::size_t listed() const { return std::min({places.size(), kOfFault, room}); }
+  /// One for the cause, and one for other frames or pairs.
+  std::size_t rows() const { return 1 + listed() + (places.empty() || places.size() > listed()); }
   /// "!2": of a place, in the panel and in the view.
   std::string number(std::size_t i) const { return "!" + std::to_string(before + i + 1); }
 };
 
 std::vector<InFrame> faults_in(const View& view, int frame) {
   std::vector<InFrame> all;
+  std::size_t rows = 0;
   for (const Fault& fault : view.faults) {
     InFrame here{&fault};
     if (!all.empty()) here.before = all.back().before + all.back().listed();
+    here.room = std::max(rows + 1, kRows) - rows - 1;
     for (const Fault::Place& place : fault.places)
       if (place.frame == frame && std::ranges::none_of(here.places, [&](const auto* other) {
             return other->a == place.a && other->b == place.b;
           }))
         here.places.push_back(&place);
+    rows += here.rows();
     all.push_back(std::move(here));
   }
   return all;
@@ -56,8 +62,8 @@ class LintPanel : public PanelContent {
     const auto high = [&](std::size_t rows) {
       return Sheet::heading_height(scale_) + static_cast<float>(rows) * Sheet::line_height(scale_);
     };
-    const std::size_t rows = std::min(kRows, 4 * staging_.view.faults.size());
-    return {high(std::min<std::size_t>(rows, 2)), high(rows), high(rows), 0};
+    const std::size_t rows = std::min(kRows, 5 * staging_.view.faults.size());
+    return {high(rows), high(rows), high(rows), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -84,14 +90,14 @@ class LintPanel : public PanelContent {
           fault.of > 0 ? spell_count(fault.count) + " of " + spell_count(fault.of)
                        : counted(static_cast<std::size_t>(fault.count), "time", "times"));
       for (std::size_t i = 0; i < one.listed(); ++i) {
-        const auto& [frame, a, b] = *one.places[i];
-        row(one.number(i) + "  " + name_in_words(a) +
-            (b.empty() ? "" : " and " + name_in_words(b)));
+        const Fault::Place& place = *one.places[i];
+        row(one.number(i) + "  " + name_in_words(place.a) +
+            (place.b.empty() ? "" : " and " + name_in_words(place.b)));
       }
       if (one.places.empty())
         row("as in frame " + std::to_string(fault.first));
-      else if (one.places.size() > kOfFault)
-        row("and " + counted(one.places.size() - kOfFault, "more pair", "more pairs"));
+      else if (one.places.size() > one.listed())
+        row("and " + counted(one.places.size() - one.listed(), "more pair", "more pairs"));
     }
     return left_out == 0 ? "" : counted(left_out, "line", "lines");
   }
@@ -102,7 +108,7 @@ class LintPanel : public PanelContent {
 void draw_faults(const Scene& scene, Sketch& sketch) {
   for (const InFrame& one : faults_in(scene.view, scene.frame.frame)) {
     for (std::size_t i = 0; i < one.listed(); ++i) {
-      const auto& [frame, a, b] = *one.places[i];
+      const auto& [frame, a, b, point] = *one.places[i];
       sketch.begin("lint", b.empty() ? a : a + " " + b);
       std::optional<Vec3d> at;
       double least = std::numeric_limits<double>::infinity();
@@ -119,6 +125,7 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
       for (const trace::Pair& pair : scene.frame.pairs)
         if (pair.a == a && pair.b == b)
           if (const auto deepest = deepest_contact(pair)) at = deepest->point->position;
+      if (point) at = point;
       if (!at || !scene.camera.sees(*at)) continue;
       sketch.mark(MarkKind::WideRing, *at, kText);
       sketch.label(*at, one.number(i), kText, 16, 10);

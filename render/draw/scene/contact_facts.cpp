@@ -16,7 +16,8 @@ using PairKey = std::tuple<std::string_view, std::string_view, std::string_view>
 
 PairKey key_of(const trace::Pair& pair) { return {pair.a, pair.b, pair.label}; }
 
-/// Radius of the smaller body, metres; infinite if both are unknown.
+}  // namespace
+
 double smaller_radius(const trace::Pair& pair, const ShapeMeshes& meshes) {
   double smaller = std::numeric_limits<double>::infinity();
   for (const std::string* name : {&pair.a, &pair.b})
@@ -24,8 +25,6 @@ double smaller_radius(const trace::Pair& pair, const ShapeMeshes& meshes) {
       smaller = std::min(smaller, meshes[*place].radius);
   return smaller;
 }
-
-}  // namespace
 
 std::optional<double> separation_of(const trace::Pair& pair) {
   if (pair.query) return pair.query->gap;

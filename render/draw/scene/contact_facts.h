@@ -17,6 +17,9 @@ std::optional<double> separation_of(const trace::Pair& pair);
 /// The deepest point of a pair, with its manifold; nothing without points.
 std::optional<PairPoint> deepest_contact(const trace::Pair& pair);
 
+/// Radius of the smaller body, metres; infinite if both are unknown.
+double smaller_radius(const trace::Pair& pair, const ShapeMeshes& meshes);
+
 /// Totals of a frame.
 struct ContactCounts {
   std::size_t pairs = 0, manifolds = 0, points = 0;  // those with contact points

@@ -3,9 +3,12 @@
 
 #include "draw/scene/contact_facts.h"
 #include "draw/scene/ghost.h"
+#include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/solid.h"
 #include "draw/scene/visibility.h"
+#include "image/font.h"
+#include "view/shape_name.h"
 
 namespace contactscope::draw {
 namespace {
@@ -21,6 +24,38 @@ constexpr Swatch kSizedSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0,
 bool is_much_larger(const Scene& scene, const PlacedShape& shape) {
   constexpr double kMuchLarger = 4;
   return !(shape.mesh->radius < kMuchLarger * scene.meshes.smallest_radius());
+}
+
+/// Moves a label above all shapes, if it would cover bodies wherever it is next to its place.
+void put_above_bodies(const Scene& scene, Label& label) {
+  constexpr double kGap = 12;  // pixels
+  const std::optional<Point2> from = scene.camera.project(label.at);
+  if (!from) return;
+  const double pixel = scene.scales.pixel;
+  const Vec2d at(from->x, from->y);
+  const Vec2d half(
+      0.5 * text_width(label.text, static_cast<float>(pixel) * label.size, FontWeight::Bold),
+      0.6 * pixel * label.size);
+  const Rect& view = scene.camera.viewport();
+  std::vector<Outline> outlines;
+  double top = at.y();
+  for (const PlacedShape& shape : scene.shapes) {
+    if (shape.traced().half_space) continue;
+    const Outline outline = outline_around(scene.camera, extent_points(shape));
+    Eigen::AlignedBox2d box;
+    for (const Vec2d& corner : outline) box.extend(corner);
+    if (!box.isEmpty() && std::abs(box.center().x() - at.x()) < 0.5 * box.sizes().x() + half.x())
+      top = std::min(top, box.min().y());
+    if (!box.isEmpty() && !is_much_larger(scene, shape)) outlines.push_back(outline);
+  }
+  for (const Vec2d& out : {Vec2d(1, 0), Vec2d(-1, 0)}) {  // above is the arrow
+    const Vec2d center = at + label.clearance * pixel * out + out.cwiseProduct(half);
+    const Eigen::AlignedBox2d box(center - half, center + half);
+    if (box.min().x() > view.x && box.max().x() < view.right() &&
+        std::ranges::none_of(outlines, [&](auto& outline) { return overlap(outline, box); }))
+      return;
+  }
+  if (top - kGap * pixel - 2 * half.y() > view.y) label.clearance = (at.y() - top) / pixel + kGap;
 }
 
 void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -43,6 +78,7 @@ void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                    spell_separation(at->point->separation, scene.noise(pair), scene.scales.length) +
                        ": " + pair_name(pair),
                    kContact, 17, 34, Vec3d(scene.camera.up()));
+  put_above_bodies(scene, label);
   label.leader = true;
 }
 

@@ -66,7 +66,10 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
   };
   const bool many_bodies = shadows.size() >= kManyBodies && bodies.size() == shadows.size();
   for (std::size_t i = 0; i < shadows.size(); ++i) {
-    bounds_.insert(bounds_.end(), shadows[i].begin(), shadows[i].end());
+    const ConvexShadow& shadow = shadows[i];
+    sides_.push_back(bounds_.size() + shadow.sides);
+    behind_.push_back(shadow.behind);
+    bounds_.insert(bounds_.end(), shadow.bounds.begin(), shadow.bounds.end());
     put(many_bodies ? corners_around(bodies[i], camera) : std::vector<Point2>(),
         many_bodies ? bodies[i].core.front() : Vec3d::Zero());
   }
@@ -126,6 +129,12 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
     const auto shadow = static_cast<std::size_t>(index);
     double first = 0, last = 1;
     for (std::size_t i = begins_[shadow]; i < begins_[shadow + 1]; ++i) {
+      // Polygons are after the round bodies.
+      if (shadow < sides_.size() && i == sides_[shadow] &&
+          std::ranges::all_of(behind_[shadow], [&](const Plane<double>& plane) {
+            return plane.distance(from) <= 0 && plane.distance(to) <= 0;
+          }))
+        break;
       const double d0 = bounds_[i].distance(from);
       const double d1 = bounds_[i].distance(to);
       if (d0 > 0 && d1 > 0) return false;

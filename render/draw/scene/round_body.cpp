@@ -76,12 +76,17 @@ struct Patch {
   double lit = 0;
 };
 
-std::vector<Patch> patches_around(const Vec3d& light, bool coarse) {
+/// All bodies of a picture have the same.
+const std::vector<Patch>& patches_around(const Vec3d& light, bool coarse) {
+  thread_local std::pair<Vec3d, bool> known(Vec3d::Zero(), false);
+  thread_local std::vector<Patch> patches;
+  if (known == std::pair(light, coarse)) return patches;
+  known = {light, coarse};
+  patches.clear();
   const int longitudes = coarse ? kCoarseLongitudes : kLongitudes;
   const std::vector<double> latitudes = latitudes_of(coarse ? kCoarseLatitudeStep : kLatitudeStep);
   const std::vector<Vec3d> directions = directions_around(light, latitudes, longitudes);
   const auto count = static_cast<std::size_t>(longitudes);
-  std::vector<Patch> patches;
   for (std::size_t i = 0; i + 1 < latitudes.size(); ++i) {
     for (std::size_t j = 0; j < count; ++j) {
       const auto at = [&](std::size_t latitude, std::size_t longitude) {
@@ -198,8 +203,9 @@ std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera, bool coarse
   return facets;
 }
 
-std::vector<Plane<double>> RoundBody::shadow(const Camera& camera) const {
-  std::vector<Plane<double>> planes;
+ConvexShadow RoundBody::shadow(const Camera& camera) const {
+  ConvexShadow shadow;
+  std::vector<Plane<double>>& planes = shadow.bounds;
   const auto touching = [&](const Vec3d& normal) {
     planes.push_back({normal, std::max(normal.dot(core.front()), normal.dot(core.back())) +
                                   (1 - kBorder) * radius});
@@ -208,7 +214,7 @@ std::vector<Plane<double>> RoundBody::shadow(const Camera& camera) const {
   const std::vector<OutlinePoint> outline = outline_of(*this, camera);
   for (std::size_t first = 0; first < 8; ++first)
     for (std::size_t i = first; i < outline.size(); i += 8) touching(outline[i].normal);
-  if (planes.empty()) return planes;
+  if (planes.empty()) return shadow;
   const std::vector<Vec3d> directions =
       directions_around(camera.to_eye(core.front()), latitudes_of(kLatitudeStep), kLongitudes);
   for (std::size_t i = kLongitudes; i + kLongitudes < directions.size(); ++i) {
@@ -219,7 +225,16 @@ std::vector<Plane<double>> RoundBody::shadow(const Camera& camera) const {
   }
   // Many others are in front of it.
   if (planes.size() > outline.size()) std::swap(planes.front(), planes[outline.size()]);
-  return planes;
+  // What is behind the circles of the outline and within it is behind all planes.
+  shadow.sides = std::min(planes.size(), outline.size() + 1);
+  for (const Vec3d& end : core) {
+    const Tangency tangency(camera, end, radius);
+    const double distance = tangency.towards.norm();
+    const Vec3d normal = tangency.towards / distance;
+    shadow.behind.push_back(
+        {normal, normal.dot(end) + radius * (tangency.offset / distance - kBorder)});
+  }
+  return shadow;
 }
 
 Plane<double> power_plane(const RoundBody& a, const RoundBody& b) {

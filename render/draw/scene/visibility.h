@@ -13,6 +13,16 @@
 /// bodies.
 namespace contactscope::draw {
 
+/// A convex body hides all points behind all of its bounds: normal . x <= offset.
+struct ConvexShadow {
+  std::vector<Plane<double>> bounds{};
+  /// The bounds from this one on hold for what is behind all of `behind`, and need no test.
+  std::size_t sides = 0;
+  std::vector<Plane<double>> behind{};
+
+  bool empty() const { return bounds.empty(); }
+};
+
 /// A sphere or a capsule in the world: all points within a radius of a point or a segment. The
 /// surface point with outward normal n is p + radius n, where p is the core's end farthest along n.
 struct RoundBody {
@@ -34,7 +44,7 @@ struct RoundBody {
 
   /// The body hides all points behind all of these planes (normal . x <= offset). They touch the
   /// body on its front and along its outline; a convex body's shadow is convex.
-  std::vector<Plane<double>> shadow(const Camera& camera) const;
+  ConvexShadow shadow(const Camera& camera) const;
 };
 
 /// Plane of points with equal power with respect to two bodies, normal from `a` to `b`. It lies
@@ -79,9 +89,6 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
 /// Flat convex polygons that hide points behind them, world metres.
 using Occluders = std::vector<std::vector<Vec3d>>;
 
-/// A convex body hides all points behind all of its planes: normal . x <= offset.
-using ConvexShadow = std::vector<Plane<double>>;
-
 /// Part of a segment, as parameters along it.
 struct Span {
   double from = 0, to = 1;
@@ -108,9 +115,11 @@ class HiddenLines {
   Box box_of(std::span<const Point2> points) const;
 
   Camera camera_;
-  std::vector<Plane<double>> bounds_;    // of all shadows, concatenated
-  std::vector<std::size_t> begins_;      // first bound of each shadow, and the end of the last
-  std::vector<int> everywhere_;          // shadows that are checked for all lines
+  std::vector<Plane<double>> bounds_;  // of all shadows, concatenated
+  std::vector<std::size_t> begins_;    // first bound of each shadow, and the end of the last
+  std::vector<std::size_t> sides_;     // likewise the first that what is behind meets
+  std::vector<std::vector<Plane<double>>> behind_;  // of each shadow
+  std::vector<int> everywhere_;                     // shadows that are checked for all lines
   std::vector<std::vector<int>> cells_;  // the other shadows, by screen cell, the nearest first
   std::vector<Box> boxes_;               // of all shadows
   double border_ = 0;                    // metres

@@ -83,7 +83,7 @@ void add_faults(const Input& input, const std::vector<int>& drawn, std::vector<V
   const std::vector<Fault> faults = mapped(findings, [](const lint::Finding& one) {
     return Fault{one.cause, one.count, one.of, one.frame,
                  mapped(one.marks, [](const lint::Mark& mark) {
-                   return Fault::Place{mark.frame, mark.a, mark.b};
+                   return Fault::Place{mark.frame, mark.a, mark.b, mark.at};
                  })};
   });
   for (View& view : views)

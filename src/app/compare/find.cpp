@@ -119,7 +119,7 @@ deg, rad, s, ms, N s), and texts in quotes, with + - * /, == != < <= > >=, and, 
 abs(x). Without a unit lengths are in metres, angles in degrees.
 Quantities: frame, time, a, b, label (the names of the pair), points, manifolds, separation (negative in
 overlap), overlap (0 when separated), touching, impulse (normal, sum over the points), axis, type, ids
-(from geometry where the engine has none), normal_x, normal_y, normal_z (of the first manifold).
+(from geometry where the engine has none), normal_x, normal_y, normal_z. One of several manifolds has to fit.
 previous.QUANTITY is the value in the frame before.
 Since the frame before: normal_turn, overlap_change, impulse_change, points_gained, points_lost, ids_gained,
 ids_lost, and of the shape that moves more motion (of its origin) and turn. age: frames of contact without a
