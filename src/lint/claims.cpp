@@ -239,7 +239,8 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
       on_its_surface(on_a, *a, pair.a);
       on_its_surface(on_b, *b, pair.b);
     }
-    if (!best || pair.degenerate || manifold.points.empty() || pair.manifolds.size() > 1) continue;
+    const bool has_own_normal = !pair.degenerate && !pair.voided && pair.manifolds.size() == 1;
+    if (!best || !has_own_normal || manifold.points.empty()) continue;
     const double along = separation_along(*a, *b, normal);
     const bool is_near = normal.dot(best->normal) >= kSameNormal;
     worst.claim({Wrong::Normal, m, 0, along, best->distance, {}, best->normal},

@@ -232,7 +232,7 @@ struct Voided {
   std::vector<Point> points;
 
   static constexpr auto fields() {
-    return field::list(field::exact("shape", &Voided::shape).names(),
+    return field::list(field::exact("shape", &Voided::shape).says("of"),
                        field::exact("reason", &Voided::reason),
                        field::direction_to_b("normal", &Voided::normal),
                        field::facts("points", &Voided::points).entries("point"));
