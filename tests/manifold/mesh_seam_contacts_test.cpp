@@ -42,10 +42,10 @@ using Parts = std::vector<Part>;
 /// Shapes 2 mm deep, for a floor of 1 m, near corners of the tiles. The floor is a plane, the oracle.
 template <class S, class MakeFloor>
 SeamContacts contacts_near_corners(double size, double crack, const CollideOptions& options,
-                                   const MakeFloor& floor_of) {
+                                   const MakeFloor& floor_of, int floors = 40) {
   test::Random random(3710);
   SeamContacts all;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < floors; ++i) {
     const test::TiledFloor tiles(random, size, crack * size);
     const Parts floor = floor_of(random, tiles);
     for (int k = 0; k < 40; ++k) {
@@ -139,10 +139,12 @@ template <class S> void expect_parts_make_a_plane(double rounding) {
   for (const double share : {0.0, 1.0, 0.5})
     for (const double size : {1e-4, 1.0, 1e4}) {
       const SeamContacts all = contacts_near_corners<S>(
-          size, 0, {}, [&](test::Random& random, const test::TiledFloor& tiles) {
+          size, 0, {},
+          [&](test::Random& random, const test::TiledFloor& tiles) {
             return joined(unjoined(random, tiles, share));
-          });
-      EXPECT_GT(all.found, 200);
+          },
+          10);
+      EXPECT_GT(all.found, 50);
       EXPECT_LT(all.lean, rounding) << size << ", " << share;
       EXPECT_LT(all.error, rounding) << size << ", " << share;
     }
