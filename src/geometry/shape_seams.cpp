@@ -18,6 +18,7 @@ struct Surface {
   std::vector<SurfaceEdge> edges;
   std::vector<std::vector<Vec3d>> faces;  // of a hull
   std::vector<Vec3d> normals;             // of `faces`
+  double reach = 0;                       // its largest coordinate, own frame, metres
   Aabb<double> box;                       // grown by the width of a seam
   bool is_joined = false;                 // it has a seam, or another one's seam is with it
 };
@@ -55,15 +56,14 @@ Surface surface_of(const PlacedSurface& placed) {
     surface.edges = edges_of_wide_triangles(*mesh, lone);
   }
   for (SurfaceEdge& edge : surface.edges) {
+    surface.reach = std::max(surface.reach, edge.from.cwiseAbs().maxCoeff());
     edge = moved(placed.pose, edge);
     surface.box.include(edge.from);
     surface.box.include(Vec3d(edge.from + edge.along));
   }
+  const Vec3d seam = Vec3d::Constant(kSeam * surface.reach);
+  surface.box = {surface.box.lower - seam, surface.box.upper + seam};
   return surface;
-}
-
-double reach_of(const Aabb<double>& box) {
-  return std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
 }
 
 /// Area that two convex polygons in a plane share (Sutherland and Hodgman 1974).
@@ -116,11 +116,10 @@ bool is_covered(const std::vector<Vec3d>& face, const Vec3d& normal,
 /// Returns whether there are seams.
 bool join(Hull<double>& hull, const Surface& own, const Pose<double>& pose,
           const std::vector<Surface*>& others) {
-  const double reach = reach_of(own.box);
   HullSeams<double> seams;
   for (std::size_t face = 0; face < own.faces.size(); ++face)
     seams.covered.push_back(
-        is_covered(own.faces[face], own.normals[face], others, kSeam * reach) ? 1 : 0);
+        is_covered(own.faces[face], own.normals[face], others, kSeam * own.reach) ? 1 : 0);
   bool continues = std::ranges::count(seams.covered, 1) > 0;
   seams.beyond.resize(hull.half_edges.size(), Vec3d::Zero());
   for (std::size_t i = 0; i < own.edges.size(); ++i) {
@@ -134,7 +133,7 @@ bool join(Hull<double>& hull, const Surface& own, const Pose<double>& pose,
       });
       owners.resize(near.size(), other);
     }
-    const int found = continuation(own.edges[i], near, seam_width(own.edges[i], reach));
+    const int found = continuation(own.edges[i], near, seam_width(own.edges[i], own.reach));
     if (found < 0) continue;
     seams.beyond[i] = pose.inverse_rotate(at(near, found).normal);
     at(owners, found)->is_joined = true;
@@ -164,11 +163,6 @@ bool join(Mesh<double>& mesh, const Pose<double>& pose, const std::vector<Surfac
 
 std::vector<std::size_t> join_seams(std::span<const PlacedSurface> shapes) {
   std::vector<Surface> surfaces = mapped(shapes, surface_of);
-  for (Surface& surface : surfaces) {
-    if (surface.edges.empty()) continue;
-    const Vec3d seam = Vec3d::Constant(kSeam * reach_of(surface.box));
-    surface.box = {surface.box.lower - seam, surface.box.upper + seam};
-  }
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     std::vector<Surface*> near;
     for (std::size_t k = 0; k < shapes.size(); ++k)

@@ -23,10 +23,10 @@ struct PlacedSurface {
 /// 2. a surface continues beyond an edge of a face that is not covered, or a boundary edge of a
 ///    mesh, in the other shapes' edges that lie on it, as in find_seams().
 ///
-/// Gaps may be as wide as a seam, kSeam of the largest coordinate. An edge on which
-/// others lie only in part has no seam. O(n^2) in shapes. Returns the indices of the shapes with
-/// seams and of those that they are with, ascending: these have Hull::seams too, so that two hulls of
-/// one surface are known as such.
+/// Gaps may be as wide as a seam, kSeam of the shape's largest coordinate in its own frame. An edge
+/// on which others lie only in part has no seam. O(n^2) in shapes. Returns the indices of the shapes
+/// with seams and of those that they are with, ascending: these have Hull::seams too, so that two
+/// hulls of one surface are known as such.
 std::vector<std::size_t> join_seams(std::span<const PlacedSurface> shapes);
 
 }  // namespace contactscope

@@ -152,6 +152,18 @@ TEST(ShapeSeams, FacesThatAreCoveredInPartAreNotCovered) {
   EXPECT_EQ(covered_by({0, 0}, {left, {Quatd::Identity(), {2 + 1e-4, 0, 0}}}), 0);
 }
 
+// Far from the origin of the world the same gaps count.
+TEST(ShapeSeams, AGapIsMeasuredByTheShapeAndNotByItsPlace) {
+  for (const double far : {0.0, 1e4}) {
+    for (const double gap : {1e-8, 1e-4}) {
+      std::vector<Shape<double>> parts = {make_box({1, 1, 1}), make_box({1, 1, 1})};
+      joined(parts, {{Quatd::Identity(), {far, 0, 0}}, {Quatd::Identity(), {far + 2 + gap, 0, 0}}});
+      const auto& seams = std::get<Hull<double>>(parts[0]).seams;
+      EXPECT_EQ(std::ranges::count(seams.covered, 1), gap < 1e-6 ? 1 : 0) << far << ", " << gap;
+    }
+  }
+}
+
 // A wall with its face in the plane of a floor's side stands on it: its lower face covers the floor
 // there, and does not continue it.
 TEST(ShapeSeams, AWallOnARimEndsNoFloor) {
