@@ -155,10 +155,7 @@ void draw_voided(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                     .color = kDropped,
                     .open = true};
   if (has_room(scene.camera, arrow)) sketch.arrows.push_back(arrow);
-  sketch.explain(kVoidedSwatch,
-                 pair.voided->reason == "covered face" ? "void: the face is covered"
-                                                       : "void: the surface continues there",
-                 arrow.from);
+  sketch.explain(kVoidedSwatch, "void: " + pair.voided->reason, arrow.from);
 }
 
 /// In a heap too small for draw_crowd(), no arrow is longer than the smaller body.

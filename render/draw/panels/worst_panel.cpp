@@ -1,4 +1,3 @@
-
 #include "draw/panels/panel.h"
 #include "draw/scene/contact_facts.h"
 #include "draw/scene/palette.h"
