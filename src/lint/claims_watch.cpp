@@ -40,11 +40,6 @@ double middle_of(Counted& values) {
   return 0;
 }
 
-/// The shape of one of a pair's scales; none for that of both.
-std::string name_of(const WrongPair& wrong, std::size_t scale) {
-  return scale == 0 ? wrong.a : scale == 1 ? wrong.b : "";
-}
-
 /// The amount if all points are off by the same amount beyond the tolerance; else 0.
 double common_depth(const Verdict& verdict) {
   if (verdict.deeper.empty()) return 0;
@@ -316,14 +311,14 @@ class ClaimsWatch final : public Watch {
     for (const WrongPair& wrong : wrong_)
       for (std::size_t i = 0; i < wrong.scales.size() && !wrong.record; ++i) {
         if (wrong.scales[i] > 0)
-          of_shape[name_of(wrong, i)].emplace_back(wrong.scales[i], wrong.times);
+          of_shape[wrong.scaled(i)].emplace_back(wrong.scales[i], wrong.times);
       }
     std::string shape;
     double scale = 0, share = kOfShape;
     // In a pair with a static shape, only the other one has another size.
     const auto fits = [](const WrongPair& wrong, const std::string& name, double common) {
       for (std::size_t i = 0; i < wrong.scales.size() && !wrong.record; ++i)
-        if ((name.empty() || name_of(wrong, i) == name) &&
+        if ((name.empty() || wrong.scaled(i) == name) &&
             std::abs(wrong.scales[i] / common - 1) < kSameScale - 1)
           return true;
       return false;

@@ -23,6 +23,8 @@ struct WrongPair {
   double deeper = 0;          // metres of excess overlap if all points agree; else 0
   /// The scale of a, of b, or of both alike, under which all points fit; 0: there is none.
   std::array<double, 3> scales{};
+  /// The shape that a scale is of; none for that of both.
+  std::string scaled(std::size_t scale) const { return scale == 0 ? a : scale == 1 ? b : ""; }
   double size = 1;  // of the error, relative to the smaller shape
   std::bitset<kMaxExplanations> explained_by;
   bool gross = false;   // beyond most of an engine's approximations
