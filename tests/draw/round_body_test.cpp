@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <utility>
+
+#include "draw/scene/palette.h"
 
 namespace contactscope::draw {
 namespace {
@@ -22,6 +26,8 @@ Camera flat_from(const Vec3d& eye) {
 
 const RoundBody kBall{{{0.3, -0.2, 0.1}}, 0.5};
 const RoundBody kPill{{{-0.6, 0.1, 0.2}, {0.5, 0.4, -0.3}}, 0.3};
+const RoundBody kSmallBall{kBall.core, kBall.radius, true},
+    kSmallPill{kPill.core, kPill.radius, true};
 
 // Distance from the core.
 double core_distance(const RoundBody& body, const Vec3d& p) {
@@ -122,11 +128,69 @@ TEST(RoundBody, FacetsCoverWhatTheOutlineEncloses) {
   }
 }
 
+TEST(RoundBody, SmallBodiesHaveTheTonesOfTheirNormals) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::array<int, 3> counts{};
+  for (const RoundBody& body : {kSmallBall, kSmallPill}) {
+    for (const Camera& camera : {looking_from({3, 2, 4}), looking_from({-2, 0.5, 1.2}),
+                                 looking_from({0.4, -3, -0.2}), looking_from({0, 3, 0.1})}) {
+      const Vec3d light = key_light(camera);
+      const std::vector<RoundBody::Facet> tones = body.front(camera);
+      for (int i = 0; i < 1500; ++i) {
+        const Vec3d target(coordinate(random), coordinate(random), coordinate(random));
+        const Point2 pixel = *camera.project(target);
+        // The first point of the ray on the body, by exhaustion, then by bisection.
+        const auto on_ray = [&](double t) -> Vec3d {
+          return camera.eye() + t * (target - camera.eye());
+        };
+        double outside = 0, inside = 0;
+        while (inside < 2 && core_distance(body, on_ray(inside)) > body.radius)
+          outside = std::exchange(inside, inside + 1e-3);
+        float painted = 0;  // the tone of the polygon that is painted last
+        for (const RoundBody::Facet& tone : tones) {
+          bool left = false, right = false;
+          for (std::size_t k = 0; k < tone.polygon.size(); ++k) {
+            const Point2 p = *camera.project(tone.polygon[k]);
+            const Point2 q = *camera.project(tone.polygon[(k + 1) % tone.polygon.size()]);
+            const double turn = (q.x - p.x) * (pixel.y - p.y) - (q.y - p.y) * (pixel.x - p.x);
+            (turn > 0 ? left : right) = true;
+          }
+          if (!(left && right)) painted = toned(kWhite, tone.lit).r;
+        }
+        double nearest = 1e9;
+        for (int k = 0; k <= 2000; ++k)
+          nearest = std::min(nearest, core_distance(body, on_ray(k / 1000.0)));
+        if (std::abs(nearest - body.radius) < 0.02 * body.radius) continue;  // near the outline
+        if (inside >= 2) {
+          EXPECT_EQ(painted, 0);
+          continue;
+        }
+        for (int k = 0; k < 50; ++k) {
+          const double middle = 0.5 * (outside + inside);
+          (core_distance(body, on_ray(middle)) > body.radius ? outside : inside) = middle;
+        }
+        const Vec3d at = on_ray(inside);
+        Vec3d normal;
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vec3d step = 1e-5 * Vec3d::Unit(axis);
+          normal[axis] = core_distance(body, at + step) - core_distance(body, at - step);
+        }
+        const double lit = normal.normalized().dot(light);
+        if (std::abs(lit - 0.6) < 0.03 || std::abs(lit - 0.1) < 0.03) continue;
+        EXPECT_EQ(painted, toned(kWhite, lit).r) << lit;
+        ++counts[static_cast<std::size_t>(lit > 0.6 ? 2 : lit > 0.1 ? 1 : 0)];
+      }
+    }
+  }
+  for (const int count : counts) EXPECT_GT(count, 40);
+}
+
 TEST(RoundBody, SlowHidesWhatAViewRayMeetsItBefore) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-1.6, 1.6);
   int hidden_count = 0, seen_count = 0;
-  for (const RoundBody& body : {kBall, kPill}) {
+  for (const RoundBody& body : {kBall, kPill, kSmallBall, kSmallPill}) {
     const Camera camera = looking_from({3, 2, 4});
     const HiddenLines lines(camera, {}, {body.shadow(camera)});
     for (int i = 0; i < 900; ++i) {
@@ -148,7 +212,7 @@ TEST(RoundBody, SlowHidesWhatAViewRayMeetsItBefore) {
 }
 
 TEST(RoundBody, ItsOwnOutlineIsNotHiddenByIt) {
-  for (const RoundBody& body : {kBall, kPill}) {
+  for (const RoundBody& body : {kBall, kPill, kSmallBall, kSmallPill}) {
     for (const Camera& camera :
          {looking_from({3, 2, 4}), looking_from({-1, 0.5, 1.2}), flat_from({1, 2, 3})}) {
       const HiddenLines lines(camera, {}, {body.shadow(camera)});

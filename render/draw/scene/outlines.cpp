@@ -72,7 +72,8 @@ std::vector<Outline> outlines_before(const std::vector<Point2>& polygon, const C
   std::vector<Outline> found;
   std::map<int, std::vector<Vec2d>> round;
   for (const Surface& surface : surfaces) {
-    if (surface.kind != Surface::Kind::Body) continue;
+    // An opaque body hides the polygon by itself.
+    if (surface.kind != Surface::Kind::Body || surface.color.a >= 1) continue;
     std::vector<Point2> seen = project_polygon(camera, surface.polygon);
     if (seen.empty()) continue;
     if (surface.body >= 0) {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
+#include <span>
 
 #include "core/at.h"
+#include "core/convex_polygon.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 
@@ -14,12 +17,12 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 // A chord of the outline deviates from its circle by 0.05% of the radius: a tenth of a pixel on a
 // sphere half as high as the picture.
-constexpr int kOutlineSteps = 96;
+constexpr int kOutlineSteps = 96, kSmallOutlineSteps = 32;
 // Share of the radius: points this near to a shadow's border are visible, like the outline's
 // chords.
-constexpr double kBorder = 1.2e-3;
-constexpr int kLongitudes = 48, kCoarseLongitudes = 16;
-constexpr double kLatitudeStep = 7.5 * kPi / 180, kCoarseLatitudeStep = 24 * kPi / 180;
+constexpr double kBorder = 1.2e-3, kSmallBorder = 0.011;
+constexpr int kLongitudes = 48, kSmallLongitudes = 16;
+constexpr double kLatitudeStep = 7.5 * kPi / 180, kSmallLatitudeStep = 24 * kPi / 180;
 
 // On the outline the normal is perpendicular to the view ray: n . towards = offset.
 struct Tangency {
@@ -77,16 +80,15 @@ struct Patch {
 };
 
 /// All bodies of a picture have the same.
-const std::vector<Patch>& patches_around(const Vec3d& light, bool coarse) {
-  thread_local std::pair<Vec3d, bool> known(Vec3d::Zero(), false);
+const std::vector<Patch>& patches_around(const Vec3d& light) {
+  thread_local Vec3d known(Vec3d::Zero());
   thread_local std::vector<Patch> patches;
-  if (known == std::pair(light, coarse)) return patches;
-  known = {light, coarse};
+  if (known == light) return patches;
+  known = light;
   patches.clear();
-  const int longitudes = coarse ? kCoarseLongitudes : kLongitudes;
-  const std::vector<double> latitudes = latitudes_of(coarse ? kCoarseLatitudeStep : kLatitudeStep);
-  const std::vector<Vec3d> directions = directions_around(light, latitudes, longitudes);
-  const auto count = static_cast<std::size_t>(longitudes);
+  const std::vector<double> latitudes = latitudes_of(kLatitudeStep);
+  const std::vector<Vec3d> directions = directions_around(light, latitudes, kLongitudes);
+  constexpr std::size_t count = kLongitudes;
   for (std::size_t i = 0; i + 1 < latitudes.size(); ++i) {
     for (std::size_t j = 0; j < count; ++j) {
       const auto at = [&](std::size_t latitude, std::size_t longitude) {
@@ -148,8 +150,8 @@ std::vector<OutlinePoint> outline_of(const RoundBody& body, const Camera& camera
       from = middle - half;
       to = middle + half;
     }
-    const int steps =
-        std::max(2, static_cast<int>(std::ceil(kOutlineSteps * (to - from) / (2 * kPi))));
+    const int around = body.small ? kSmallOutlineSteps : kOutlineSteps;
+    const int steps = std::max(2, static_cast<int>(std::ceil(around * (to - from) / (2 * kPi))));
     for (int i = 0; i < (whole ? steps : steps + 1); ++i) {
       const double angle = from + (to - from) * i / steps;
       const Vec3d normal = height * axis + across * (std::cos(angle) * u + std::sin(angle) * v);
@@ -159,21 +161,92 @@ std::vector<OutlinePoint> outline_of(const RoundBody& body, const Camera& camera
   return outline;
 }
 
+// The unit normals with n . towards >= least.
+struct Cap {
+  Vec3d towards;  // unit
+  double least;
+
+  double operator()(const Vec3d& normal) const { return normal.dot(towards) - least; }
+
+  std::vector<Vec3d> border() const {
+    const Vec3d u = any_perpendicular(towards), v = towards.cross(u);
+    const double across = std::sqrt(std::max(0.0, 1 - least * least));
+    std::vector<Vec3d> circle;
+    for (int i = 0; i < kSmallOutlineSteps; ++i) {
+      const double angle = 2 * kPi * i / kSmallOutlineSteps;
+      circle.push_back(least * towards + across * (std::cos(angle) * u + std::sin(angle) * v));
+    }
+    return circle;
+  }
+};
+
+// Each part of a body, seen, is convex for each tone, because the light is on the eye's side: the
+// balls behind a capsule's cylinder, the cylinder, and the half of a ball in front of it.
+std::vector<RoundBody::Facet> tones_of(const RoundBody& body, const Camera& camera) {
+  const Vec3d along = body.core.back() - body.core.front();
+  const bool is_capsule = along.squaredNorm() > 0;
+  const bool back_is_near = is_capsule && camera.faces(body.core.back(), along);
+  const Vec3d& near = back_is_near ? body.core.back() : body.core.front();
+  const Vec3d& far = back_is_near ? body.core.front() : body.core.back();
+  const Cap lit[] = {{key_light(camera), -1},  // of all tones
+                     {key_light(camera), kToneBorders[1]},
+                     {key_light(camera), kToneBorders[0]}};
+  const Cap half{is_capsule ? Vec3d((near - far).normalized()) : Vec3d::UnitX(), 0};
+  const auto front = [&](const Vec3d& core) -> Cap {
+    const Tangency tangency(camera, core, body.radius);
+    const double distance = tangency.towards.norm();
+    return {tangency.towards / distance, tangency.offset / distance};
+  };
+  std::vector<RoundBody::Facet> tones;
+  // The part around some of the core's ends whose normals are in all caps: it is the hull of the
+  // `borders` of the first caps.
+  const auto add = [&](std::initializer_list<Vec3d> cores, std::span<const Cap> caps,
+                       std::size_t borders, double tone) {
+    std::vector<Vec3d> points;
+    std::vector<Vec2d> seen;
+    for (std::size_t i = 0; i < borders; ++i) {
+      if (std::abs(caps[i].least) >= 1) continue;
+      std::vector<Vec3d> normals = caps[i].border();
+      for (std::size_t j = 0; j < caps.size(); ++j)
+        if (j != i) normals = clipped(normals, caps[j], cut_between);
+      for (const Vec3d& core : cores)
+        for (const Vec3d& normal : normals)
+          if (const auto place = camera.project(core + body.radius * normal)) {
+            points.push_back(core + body.radius * normal);
+            seen.push_back(flat(*place));
+          }
+    }
+    std::vector<Vec3d> polygon;
+    for (const int corner : convex_outline(seen)) polygon.push_back(at(points, corner));
+    if (polygon.size() >= 3) tones.push_back({std::move(polygon), tone + 1e-9});
+  };
+  const bool near_is_in_front = camera.faces(near, near - far);
+  for (const Cap& cap : lit) add({far}, std::array{front(far), cap}, 2, cap.least);
+  if (!is_capsule) return tones;
+  for (const Cap& cap : lit)
+    if (!near_is_in_front) add({near}, std::array{front(near), cap}, 2, cap.least);
+  for (const Cap& cap : lit) add({far, near}, std::array{half, front(far), cap}, 1, cap.least);
+  for (const Cap& cap : lit)
+    if (near_is_in_front) add({near}, std::array{front(near), cap, half}, 3, cap.least);
+  return tones;
+}
+
 }  // namespace
 
 std::vector<Vec3d> RoundBody::outline(const Camera& camera) const {
   return mapped(outline_of(*this, camera), &OutlinePoint::at);
 }
 
-std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera, bool coarse) const {
+std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera) const {
   std::vector<Facet> facets;
   if (contains_eye(*this, camera)) return facets;
+  if (small) return tones_of(*this, camera);
   const auto add = [&](std::vector<Vec3d> polygon, double lit) {
     if (polygon.size() >= 3) facets.push_back({std::move(polygon), lit});
   };
   const Vec3d along = core.back() - core.front();
   const bool is_capsule = along.squaredNorm() > 0;
-  for (const Patch& patch : patches_around(key_light(camera), coarse)) {
+  for (const Patch& patch : patches_around(key_light(camera))) {
     std::vector<Vec3d> seam;  // normals perpendicular to a capsule's axis, between its two ends
     for (std::size_t end = 0; end < (is_capsule ? 2u : 1u); ++end) {
       std::vector<Vec3d> normals = patch.normals;
@@ -206,18 +279,22 @@ std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera, bool coarse
 ConvexShadow RoundBody::shadow(const Camera& camera) const {
   ConvexShadow shadow;
   std::vector<Plane<double>>& planes = shadow.bounds;
+  const double border = small ? kSmallBorder : kBorder;
   const auto touching = [&](const Vec3d& normal) {
     planes.push_back({normal, std::max(normal.dot(core.front()), normal.dot(core.back())) +
-                                  (1 - kBorder) * radius});
+                                  (1 - border) * radius});
   };
   // The outline first, because most lines are off the body, and there every eighth point first.
   const std::vector<OutlinePoint> outline = outline_of(*this, camera);
   for (std::size_t first = 0; first < 8; ++first)
     for (std::size_t i = first; i < outline.size(); i += 8) touching(outline[i].normal);
   if (planes.empty()) return shadow;
+  const int longitudes = small ? kSmallLongitudes : kLongitudes;
   const std::vector<Vec3d> directions =
-      directions_around(camera.to_eye(core.front()), latitudes_of(kLatitudeStep), kLongitudes);
-  for (std::size_t i = kLongitudes; i + kLongitudes < directions.size(); ++i) {
+      directions_around(camera.to_eye(core.front()),
+                        latitudes_of(small ? kSmallLatitudeStep : kLatitudeStep), longitudes);
+  const auto ring = static_cast<std::size_t>(longitudes);
+  for (std::size_t i = ring; i + ring < directions.size(); ++i) {
     const Vec3d& normal = directions[i];
     const Vec3d& farthest =
         normal.dot(core.back()) > normal.dot(core.front()) ? core.back() : core.front();
@@ -232,7 +309,7 @@ ConvexShadow RoundBody::shadow(const Camera& camera) const {
     const double distance = tangency.towards.norm();
     const Vec3d normal = tangency.towards / distance;
     shadow.behind.push_back(
-        {normal, normal.dot(end) + radius * (tangency.offset / distance - kBorder)});
+        {normal, normal.dot(end) + radius * (tangency.offset / distance - border)});
   }
   return shadow;
 }

@@ -13,20 +13,6 @@ constexpr LineStyle kFeature{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineSty
 constexpr LineStyle kSmooth{1.0f, with_alpha(kShapeEdge, 0.16f), false, LineStyle::Hidden::Faint};
 constexpr LineStyle kTick{1.0f, with_alpha(kShapeEdge, 0.55f), false, LineStyle::Hidden::Faint};
 
-void add_body(const Camera& camera, const RoundBody& body, const Color& fill,
-              const LineStyle& outline, bool coarse, Sketch& sketch) {
-  const int index = count_of(sketch.bodies);
-  for (RoundBody::Facet& facet : body.front(camera, coarse))
-    sketch.surfaces.push_back(
-        {std::move(facet.polygon), toned(fill, facet.lit), index, Surface::Kind::Body});
-  const std::vector<Vec3d> around = body.outline(camera);
-  if (!around.empty()) {
-    sketch.shadows.push_back(body.shadow(camera));
-    sketch.curves.push_back({around, outline, true});
-  }
-  sketch.bodies.push_back(body);
-}
-
 }  // namespace
 
 std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, const Color& fill,
@@ -63,7 +49,16 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
 
 void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
                const LineStyle& outline, Sketch& sketch) {
-  add_body(camera, body, fill, outline, false, sketch);
+  const int index = count_of(sketch.bodies);
+  for (RoundBody::Facet& facet : body.front(camera))
+    sketch.surfaces.push_back(
+        {std::move(facet.polygon), toned(fill, facet.lit), index, Surface::Kind::Body});
+  const std::vector<Vec3d> around = body.outline(camera);
+  if (!around.empty()) {
+    sketch.shadows.push_back(body.shadow(camera));
+    sketch.curves.push_back({around, outline, true});
+  }
+  sketch.bodies.push_back(body);
 }
 
 void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch) {
@@ -76,7 +71,10 @@ void draw_round(const Camera& camera, const PlacedShape& shape, const Color& fil
 
 void draw_small_round(const Camera& camera, const PlacedShape& shape, const Color& fill,
                       Sketch& sketch) {
-  add_body(camera, {shape.vertices, shape.traced().radius}, fill, kSilhouette, true, sketch);
+  constexpr double kSmall = 40;  // pixels: corners of an outline are not seen
+  const double radius = shape.traced().radius;
+  const bool small = radius * camera.pixels_per_metre(shape.vertices.front()) < kSmall;
+  draw_body(camera, {shape.vertices, radius, small}, fill, kSilhouette, sketch);
 }
 
 PatchFit::PatchFit(const trace::HalfSpace& plane, const Pose<double>& pose, const Vec3d& up) {

@@ -28,6 +28,8 @@ struct ConvexShadow {
 struct RoundBody {
   std::vector<Vec3d> core;  // one point or two, metres
   double radius = 0;
+  /// One of many: a third of the corners, and a few polygons for each tone instead of facets.
+  bool small = false;
 
   /// Points where view rays touch the surface, in order: a circle for a sphere, two arcs joined by
   /// straight lines for a capsule, or one circle for a capsule seen end-on. Empty for an eye
@@ -38,9 +40,9 @@ struct RoundBody {
     std::vector<Vec3d> polygon;  // world; corners on the surface
     double lit = 0;              // cosine between its middle's normal and the key light
   };
-  /// The visible surface in tiny facets. No facet crosses a border of tones or the outline.
-  /// `coarse`: a tenth of the facets, for one of many small bodies.
-  std::vector<Facet> front(const Camera& camera, bool coarse = false) const;
+  /// The visible surface in tiny facets. No facet crosses a border of tones or the outline. If the
+  /// body is small: convex polygons to be painted over each other, in this order.
+  std::vector<Facet> front(const Camera& camera) const;
 
   /// The body hides all points behind all of these planes (normal . x <= offset). They touch the
   /// body on its front and along its outline; a convex body's shadow is convex.

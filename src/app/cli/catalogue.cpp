@@ -126,6 +126,7 @@ Input input_of(Sequence&& trace, const Options& options) {
   View& view = input.scenario.views.front();
   view.panels = {Panel::Summary};
   if (std::ranges::any_of(trace.frames, draw::is_heap)) {
+    view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
     view.panels = {Panel::Worst, Panel::Plots};
     view.charts = {Chart::Overlap, Chart::Points};
   }
