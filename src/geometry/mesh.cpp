@@ -272,6 +272,7 @@ template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh) {
   cast.triangles = mesh.triangles;
   cast.neighbours = mesh.neighbours;
   cast.seams = mesh.seams;
+  cast.seam = mesh.seam;
   cast.edges = mesh.edges;
   cast.regions = mesh.regions;
   cast.normals.reserve(mesh.normals.size());

@@ -30,6 +30,10 @@ inline constexpr double kFlatEdgeAngle = 0.017453292519943295;
 /// corner turns its normal by a large angle.
 inline constexpr double kSliver = 0.01;
 
+/// A seam is at most this wide, relative to the shape's largest coordinate: the rounding of files with
+/// six digits.
+inline constexpr double kSeam = 1e-6;
+
 /// Triangles with one front side and shared edges, local frame, metres. Made by build_mesh, or by
 /// build_mesh_with_flat_triangles, which keeps triangles without area. In both cases vectors with
 /// an entry per triangle have the same size, and neighbours are mutual.
@@ -49,6 +53,7 @@ template <class S> struct Mesh {
                                                // without a neighbour, see find_seams(); -1: none.
                                                // Empty if all are -1. From triangle_count() on:
                                                // surfaces of other shapes, see join_seams()
+  double seam = kSeam;                         // how wide they may be, see weld()
   std::vector<Vec3<S>> normals;                // unit, to the front; zero if the area is zero. Then
                                                // those of the surfaces of other shapes
   std::vector<std::array<EdgeClass, 3>> edges;

@@ -16,13 +16,6 @@ template <class S> SurfaceEdge edge_of(const Mesh<S>& mesh, const TriangleEdge& 
           mesh.normal(edge.triangle).template cast<double>()};
 }
 
-template <class S> double reach_of(const Mesh<S>& mesh, const std::vector<TriangleEdge>& edges) {
-  double reach = 0;
-  for (const TriangleEdge& edge : edges)
-    reach = std::max(reach, edge_of(mesh, edge).from.cwiseAbs().maxCoeff());
-  return reach;
-}
-
 Aabb<double> box_of(const SurfaceEdge& edge, double margin) {
   const Vec3d to = edge.from + edge.along, grown = Vec3d::Constant(margin);
   return {edge.from.cwiseMin(to) - grown, edge.from.cwiseMax(to) + grown};
@@ -62,8 +55,15 @@ bool leave_no_gap(std::vector<Part> parts, double length, double width) {
 
 }  // namespace
 
-double seam_width(const SurfaceEdge& edge, double reach) {
-  return std::min(kSeam * reach, kSliver * edge.along.norm());
+double seam_width(const SurfaceEdge& edge, double widest) {
+  return std::min(widest, kSliver * edge.along.norm());
+}
+
+template <class S> double widest_seam(const Mesh<S>& mesh, const std::vector<TriangleEdge>& edges) {
+  double reach = 0;
+  for (const TriangleEdge& edge : edges)
+    reach = std::max(reach, edge_of(mesh, edge).from.cwiseAbs().maxCoeff());
+  return mesh.seam * reach;
 }
 
 int continuation(const SurfaceEdge& edge, const std::vector<SurfaceEdge>& near, double width) {
@@ -83,7 +83,7 @@ int continuation(const SurfaceEdge& edge, const std::vector<SurfaceEdge>& near, 
 template <class S>
 std::vector<SurfaceEdge> edges_of_wide_triangles(const Mesh<S>& mesh,
                                                  std::vector<TriangleEdge>& edges) {
-  const double seam = kSeam * reach_of(mesh, edges);
+  const double seam = widest_seam(mesh, edges);
   std::erase_if(edges, [&](const TriangleEdge& edge) {
     const Vec3d along = edge_of(mesh, edge).along;
     const Vec3d next = edge_of(mesh, {edge.triangle, edge.edge + 1}).along;
@@ -96,12 +96,11 @@ template <class S>
 std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh, std::vector<TriangleEdge> alone,
                                            const std::vector<SurfaceEdge>& others) {
   std::vector<std::array<int, 3>> seams;
-  const double reach = reach_of(mesh, alone);
+  const double widest = widest_seam(mesh, alone);
   std::vector<SurfaceEdge> edges = edges_of_wide_triangles(mesh, alone);
   edges.insert(edges.end(), others.begin(), others.end());
   if (edges.size() < 2) return seams;
-  const auto boxes =
-      mapped(edges, [&](const SurfaceEdge& edge) { return box_of(edge, kSeam * reach); });
+  const auto boxes = mapped(edges, [&](const SurfaceEdge& edge) { return box_of(edge, widest); });
   const auto triangle_of = [&](int edge) {
     const int other = edge - count_of(alone);
     return other < 0 ? at(alone, edge).triangle : mesh.triangle_count() + other;
@@ -117,7 +116,7 @@ std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh, std::vector<Tria
       found.push_back(triangle_of(other));
       near.push_back(at(edges, other));
     });
-    const int beyond = continuation(edges[i], near, seam_width(edges[i], reach));
+    const int beyond = continuation(edges[i], near, seam_width(edges[i], widest));
     if (beyond < 0) continue;
     if (seams.empty()) seams.resize(mesh.triangles.size(), {-1, -1, -1});
     at(at(seams, alone[i].triangle), alone[i].edge) = at(found, beyond);
@@ -125,6 +124,22 @@ std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh, std::vector<Tria
   return seams;
 }
 
+std::vector<TriangleEdge> lone_edges(const Mesh<double>& mesh) {
+  std::vector<TriangleEdge> lone;
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (mesh.beyond(t, k) < 0) lone.push_back({t, k});
+  return lone;
+}
+
+void weld(Mesh<double>& mesh, double seam) {
+  mesh.seam = seam;
+  mesh.seams.clear();
+  mesh.seams = find_seams(mesh, lone_edges(mesh));
+  classify_edges(mesh);
+}
+
+CONTACTSCOPE_FLOAT_AND_DOUBLE(widest_seam);
 CONTACTSCOPE_FLOAT_AND_DOUBLE(edges_of_wide_triangles, find_seams);
 
 }  // namespace contactscope

@@ -4,10 +4,6 @@
 
 namespace contactscope {
 
-/// A seam is at most this wide, relative to the mesh's largest coordinate: the rounding of files
-/// with six digits.
-inline constexpr double kSeam = 1e-6;
-
 /// An edge of a triangle.
 struct TriangleEdge {
   int triangle, edge;
@@ -19,13 +15,16 @@ struct SurfaceEdge {
   Vec3d normal;       // unit, of the surface at the edge
 };
 
-/// The width of a seam at an edge. Edges that are hardly longer than a seam may lie next to each
-/// other by chance. `reach`: the largest coordinate, metres.
-double seam_width(const SurfaceEdge& edge, double reach);
+/// The width of a seam at an edge, at most `widest`, metres. Edges that are hardly longer than a seam
+/// may lie next to each other by chance.
+double seam_width(const SurfaceEdge& edge, double widest);
 
 /// Steps 2 and 3 of find_seams: the index of the edge in which the surface continues, of those that
 /// are near; -1: none.
 int continuation(const SurfaceEdge& edge, const std::vector<SurfaceEdge>& near, double width);
+
+/// The widest seam of these edges, metres.
+template <class S> double widest_seam(const Mesh<S>& mesh, const std::vector<TriangleEdge>& edges);
 
 /// The edges whose triangle is wider than a seam: the sides of a strip as narrow as one
 /// would be a seam of it with itself. `edges` is shortened to the same.
@@ -51,5 +50,11 @@ std::vector<SurfaceEdge> edges_of_wide_triangles(const Mesh<S>& mesh,
 template <class S>
 std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh, std::vector<TriangleEdge> alone,
                                            const std::vector<SurfaceEdge>& others = {});
+
+/// Finds the seams of a mesh again, as wide as this share of its largest coordinate.
+void weld(Mesh<double>& mesh, double seam);
+
+/// The edges without a neighbour and without a seam.
+std::vector<TriangleEdge> lone_edges(const Mesh<double>& mesh);
 
 }  // namespace contactscope

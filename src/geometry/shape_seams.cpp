@@ -18,18 +18,10 @@ struct Surface {
   std::vector<SurfaceEdge> edges;
   std::vector<std::vector<Vec3d>> faces;  // of a hull
   std::vector<Vec3d> normals;             // of `faces`
-  double reach = 0;                       // its largest coordinate, own frame, metres
+  double seam = 0;                        // how wide seams may be, metres
   Aabb<double> box;                       // grown by the width of a seam
   bool is_joined = false;                 // it has a seam, or another one's seam is with it
 };
-
-std::vector<TriangleEdge> lone_edges(const Mesh<double>& mesh) {
-  std::vector<TriangleEdge> lone;
-  for (int t = 0; t < mesh.triangle_count(); ++t)
-    for (int k = 0; k < 3; ++k)
-      if (mesh.beyond(t, k) < 0) lone.push_back({t, k});
-  return lone;
-}
 
 SurfaceEdge edge_of(const Hull<double>& hull, int half_edge) {
   const Vec3d& from = hull.origin(half_edge);
@@ -43,6 +35,7 @@ SurfaceEdge moved(const Pose<double>& pose, const SurfaceEdge& edge) {
 
 Surface surface_of(const PlacedSurface& placed) {
   Surface surface;
+  double reach = 0, seam = placed.seam;
   if (const auto* hull = std::get_if<Hull<double>>(placed.shape)) {
     for (int i = 0; i < count_of(hull->half_edges); ++i) surface.edges.push_back(edge_of(*hull, i));
     for (int face = 0; face < hull->face_count(); ++face) {
@@ -54,15 +47,17 @@ Surface surface_of(const PlacedSurface& placed) {
   } else if (const auto* mesh = std::get_if<Mesh<double>>(placed.shape)) {
     std::vector<TriangleEdge> lone = lone_edges(*mesh);
     surface.edges = edges_of_wide_triangles(*mesh, lone);
+    seam = mesh->seam;
   }
   for (SurfaceEdge& edge : surface.edges) {
-    surface.reach = std::max(surface.reach, edge.from.cwiseAbs().maxCoeff());
+    reach = std::max(reach, edge.from.cwiseAbs().maxCoeff());
     edge = moved(placed.pose, edge);
     surface.box.include(edge.from);
     surface.box.include(Vec3d(edge.from + edge.along));
   }
-  const Vec3d seam = Vec3d::Constant(kSeam * surface.reach);
-  surface.box = {surface.box.lower - seam, surface.box.upper + seam};
+  surface.seam = seam * reach;
+  const Vec3d margin = Vec3d::Constant(surface.seam);
+  surface.box = {surface.box.lower - margin, surface.box.upper + margin};
   return surface;
 }
 
@@ -118,8 +113,8 @@ bool join(Hull<double>& hull, const Surface& own, const Pose<double>& pose,
           const std::vector<Surface*>& others) {
   HullSeams<double> seams;
   for (std::size_t face = 0; face < own.faces.size(); ++face)
-    seams.covered.push_back(
-        is_covered(own.faces[face], own.normals[face], others, kSeam * own.reach) ? 1 : 0);
+    seams.covered.push_back(is_covered(own.faces[face], own.normals[face], others, own.seam) ? 1
+                                                                                             : 0);
   bool continues = std::ranges::count(seams.covered, 1) > 0;
   seams.beyond.resize(hull.half_edges.size(), Vec3d::Zero());
   for (std::size_t i = 0; i < own.edges.size(); ++i) {
@@ -133,7 +128,7 @@ bool join(Hull<double>& hull, const Surface& own, const Pose<double>& pose,
       });
       owners.resize(near.size(), other);
     }
-    const int found = continuation(own.edges[i], near, seam_width(own.edges[i], own.reach));
+    const int found = continuation(own.edges[i], near, seam_width(own.edges[i], own.seam));
     if (found < 0) continue;
     seams.beyond[i] = pose.inverse_rotate(at(near, found).normal);
     at(owners, found)->is_joined = true;

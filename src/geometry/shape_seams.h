@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/pose.h"
+#include "geometry/mesh.h"
 #include "geometry/shape.h"
 
 namespace contactscope {
@@ -13,6 +14,7 @@ namespace contactscope {
 struct PlacedSurface {
   Shape<double>* shape;
   Pose<double> pose;
+  double seam = kSeam;  // of a hull; a mesh has its own
 };
 
 /// Finds where the surfaces of hulls and meshes continue each other, for shapes that never move
@@ -23,7 +25,7 @@ struct PlacedSurface {
 /// 2. a surface continues beyond an edge of a face that is not covered, or a boundary edge of a
 ///    mesh, in the other shapes' edges that lie on it, as in find_seams().
 ///
-/// Gaps may be as wide as a seam, kSeam of the shape's largest coordinate in its own frame. An edge
+/// Gaps may be as wide as a seam, a share of the shape's largest coordinate in its own frame. An edge
 /// on which others lie only in part has no seam. O(n^2) in shapes. Returns the indices of the shapes
 /// with seams and of those that they are with, ascending: these have Hull::seams too, so that two
 /// hulls of one surface are known as such.

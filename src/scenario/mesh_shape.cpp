@@ -1,5 +1,6 @@
 #include "core/spell.h"
 #include "geometry/mesh.h"
+#include "geometry/mesh_seams.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
 #include "scenario/readers.h"
@@ -111,6 +112,7 @@ Shape<double> read_mesh(const Value& table, const Surroundings& surroundings) {
   if (file) mesh = read_file(*file, surroundings.folder, build, report);
   if (grid) mesh = read_grid(*grid);
   warn(table.name(), report, surroundings.warnings);
+  if (const auto seam = table.find("weld")) weld(mesh, seam->number());
   return mesh;
 }
 

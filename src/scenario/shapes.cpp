@@ -168,6 +168,7 @@ void read_shape(const Value& value, const Surroundings& surroundings, double end
   shape.pose = read_pose(table, {});
   shape.geometry = std::make_shared<const Shape<double>>(type.read(table, surroundings));
   table.read("tree", shape.tree);
+  table.read("weld", shape.weld);
   table.read("friction", shape.friction);
   table.read("restitution", shape.restitution);
   const auto scatter = table.find("scatter");
@@ -213,7 +214,7 @@ void join_unmoved(std::vector<ScenarioShape>& shapes) {
       mapped(unmoved, [](const ScenarioShape* shape) { return *shape->collider; });
   std::vector<PlacedSurface> placed;
   for (std::size_t i = 0; i < unmoved.size(); ++i)
-    placed.push_back({&colliders[i], collider_pose_at(*unmoved[i], 0)});
+    placed.push_back({&colliders[i], collider_pose_at(*unmoved[i], 0), unmoved[i]->weld});
   for (const std::size_t joined : join_seams(placed))
     unmoved[joined]->collider = std::make_shared<const Shape<double>>(std::move(colliders[joined]));
 }

@@ -5,6 +5,7 @@
 #include "core/at.h"
 #include "dynamics/solver.h"
 #include "geometry/hull_builder.h"
+#include "geometry/mesh_seams.h"
 #include "geometry/primitives.h"
 #include "geometry/shape_seams.h"
 #include "study/random_cases.h"
@@ -13,10 +14,11 @@
 namespace contactscope {
 namespace {
 
-constexpr double kTile = 0.1;      // metres, edge of a tile of the floors
-constexpr double kRunLength = 2;   // metres that a shape slides, about the middle of the runway
-constexpr double kRunway = 3;      // metres, half of its length
-constexpr double kRunwaySide = 1;  // metres, half of its width
+constexpr double kTile = 0.1;         // metres, edge of a tile of the floors
+constexpr double kRunLength = 2;      // metres that a shape slides, about the middle of the runway
+constexpr double kRunway = 3;         // metres, half of its length
+constexpr double kRunwaySide = 1;     // metres, half of its width
+constexpr double kWideWeld = 1.5e-4;  // of 3 m: wider than two cracks of 0.1 mm
 constexpr float kGhostFrame = 1.0F / 60;
 constexpr std::array<double, 4> kGhostSpeeds = {1, 3, 6, 12};  // m/s
 
@@ -87,14 +89,6 @@ constexpr GhostFloor kGhostFloors[] = {
        return Floor{HalfSpace<double>{{Vec3d::UnitY(), 0}}};
      }},
     {"one mesh", [] { return Floor{rows_of(-kRunway, kRunway).mesh()}; }},
-    {"cracks of 1 nm", [] { return Floor{rows_of(-kRunway, kRunway).mesh(1e-9)}; }},
-    {"cracks of 1 µm", [] { return Floor{rows_of(-kRunway, kRunway).mesh(1e-6)}; }},
-    {"cracks of 0.1 mm", [] { return Floor{rows_of(-kRunway, kRunway).mesh(1e-4)}; }},
-    {"T-junctions", [] { return Floor{rows_of(-kRunway, kRunway, 0.5).mesh()}; }},
-    {"two meshes",
-     [] {
-       return Floor{rows_of(-kRunway, 0.033).mesh(), rows_of(0.033, kRunway).mesh()};
-     }},
     {"boxes",
      [] {
        Floor floor;
@@ -106,6 +100,20 @@ constexpr GhostFloor kGhostFloors[] = {
          floor.emplace_back(build_hull(corners));
        }
        return floor;
+     }},
+    {"cracks of 1 nm", [] { return Floor{rows_of(-kRunway, kRunway).mesh(1e-9)}; }},
+    {"cracks of 1 µm", [] { return Floor{rows_of(-kRunway, kRunway).mesh(1e-6)}; }},
+    {"cracks of 0.1 mm", [] { return Floor{rows_of(-kRunway, kRunway).mesh(1e-4)}; }},
+    {"cracks of 0.1 mm, welded",
+     [] {
+       Mesh<double> floor = rows_of(-kRunway, kRunway).mesh(1e-4);
+       weld(floor, kWideWeld);
+       return Floor{std::move(floor)};
+     }},
+    {"T-junctions", [] { return Floor{rows_of(-kRunway, kRunway, 0.5).mesh()}; }},
+    {"two meshes",
+     [] {
+       return Floor{rows_of(-kRunway, 0.033).mesh(), rows_of(0.033, kRunway).mesh()};
      }},
 };
 

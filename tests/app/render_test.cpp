@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "app/program.h"
 #include "image/png.h"
 #include "support/osmesa.h"
@@ -8,6 +11,7 @@
 namespace contactscope::test {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -117,6 +121,27 @@ TEST(Render, TraceGivesThePicturesOfItsScenario) {
               ElementsAre("group/idea/frame_0000.png", "group/idea/frame_0001.png"));
   for (const char* file : {"/group/idea/frame_0000.png", "/group/idea/frame_0001.png"})
     EXPECT_EQ(read_png(folder / "one" + file), read_png(folder / "two" + file)) << file;
+}
+
+// The faces of all pairs would hide the bodies.
+TEST(Render, AHeapsTraceShowsItsBodiesAndContacts) {
+  const TemporaryFolder folder;
+  const auto drawn = [&](const std::string& scenario, const std::string& layers) {
+    const std::string trace = folder.write(
+        "heap.jsonl", run("trace 'scenarios/" + scenario + "' --frames 90 --quiet").out);
+    run("render '" + trace + "' --format svg" + layers + " --out '" + folder.path().string() + "'");
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+      if (entry.path().extension() == ".svg") {
+        std::ifstream in(entry.path());
+        const std::string picture{std::istreambuf_iterator<char>(in), {}};
+        std::filesystem::remove(entry.path());
+        return picture;
+      }
+    return std::string();
+  };
+  const std::string heap = "heap/boulder_in_gravel.toml";
+  EXPECT_THAT(drawn(heap, ""), AllOf(HasSubstr("contact point"), Not(HasSubstr("reference face"))));
+  EXPECT_THAT(drawn(heap, " --layers shapes,reference_face"), HasSubstr("reference face"));
 }
 
 TEST(Render, FramesOfATraceAreChosenByNumber) {

@@ -47,6 +47,35 @@ TEST(MeshSeams, AWideCrackIsTheEndOfASurface) {
   }
 }
 
+// The same floors: nothing but the width of the seams changes, and stays when the mesh is moved.
+TEST(MeshSeams, AWiderWeldContinuesAcrossAWideCrack) {
+  Random random(3702);
+  int cracks = 0;
+  for (const double size : {1e-4, 1.0, 1e4}) {
+    for (int i = 0; i < 20; ++i) {
+      const TiledFloor floor(random, size, 2e-4 * size);
+      Mesh<double> mesh = build_mesh(turned(floor.vertices, random.rotation()), floor.triangles);
+      EXPECT_TRUE(mesh.seams.empty());
+      weld(mesh, 1e-3);
+      if (i % 2 == 1) {
+        for (Vec3d& vertex : mesh.vertices) vertex += 0.1 * size * Vec3d::Ones();
+        refit(mesh);
+      }
+      const Mesh<float> rounded = mesh_cast<float>(mesh);
+      for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k) {
+          ASSERT_EQ(mesh.beyond(t, k) < 0, floor.is_outer(t, k)) << size;
+          ASSERT_EQ(rounded.beyond(t, k), mesh.beyond(t, k));
+          cracks += mesh.beyond(t, k) >= 0 && mesh.neighbour(t, k) < 0 ? 1 : 0;
+        }
+      EXPECT_EQ(mesh.vertices.size(), floor.vertices.size());
+      weld(mesh, kSeam);
+      EXPECT_TRUE(mesh.seams.empty());
+    }
+  }
+  EXPECT_GT(cracks, 1000);
+}
+
 // Edge 1 0 of the first triangle along two others. The second one is turned up.
 Mesh<double> three_sides(double gap, double bend) {
   return build_mesh({{0, 0, 0},

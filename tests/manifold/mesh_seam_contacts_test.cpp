@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/hull_builder.h"
+#include "geometry/mesh_seams.h"
 #include "geometry/primitives.h"
 #include "geometry/shape_seams.h"
 #include "manifold/placed_shapes.h"
@@ -79,6 +80,12 @@ Parts one_mesh(test::Random&, const test::TiledFloor& tiles) {
   return {{build_mesh(tiles.vertices, tiles.triangles), {}}};
 }
 
+Parts one_welded_mesh(test::Random&, const test::TiledFloor& tiles) {
+  Mesh<double> floor = build_mesh(tiles.vertices, tiles.triangles);
+  weld(floor, 1e-4);
+  return {{floor, {}}};
+}
+
 Parts without_seams(test::Random&, const test::TiledFloor& tiles) {
   Mesh<double> floor = build_mesh(tiles.vertices, tiles.triangles);
   floor.seams.clear();
@@ -89,10 +96,11 @@ Parts without_seams(test::Random&, const test::TiledFloor& tiles) {
 template <class S> void expect_contacts_of_a_plane(double rounding) {
   for (const MeshManifolds how : {MeshManifolds::Pair, MeshManifolds::Triangle})
     for (const double size : {1e-4, 1.0, 1e4})
-      for (const double crack : {0.0, 1e-9, 2e-7}) {
+      for (const double crack : {0.0, 1e-9, 2e-7, 2e-5}) {
         CollideOptions options;
         options.mesh_manifolds = how;
-        const SeamContacts all = contacts_near_corners<S>(size, crack, options, one_mesh);
+        const SeamContacts all = contacts_near_corners<S>(
+            size, crack, options, crack > 1e-6 ? one_welded_mesh : one_mesh);
         EXPECT_GT(all.found, 200);
         // A step of two cracks leans a ball of radius r by sqrt(2 h / r); the smallest has r = 0.05.
         const double step = std::sqrt(80 * crack);
@@ -106,6 +114,7 @@ TEST(MeshSeamContacts, NothingLeansAtCracksAndTJunctionsOfAFlatFloor) {
   expect_contacts_of_a_plane<double>(1e-12);
   // The same floors without their seams: shapes trip.
   EXPECT_GT(contacts_near_corners<double>(1, 0, {}, without_seams).lean, 0.1);
+  EXPECT_GT(contacts_near_corners<double>(1, 2e-5, {}, one_mesh).lean, 0.1);
 }
 
 /// A tile as a hull below it or as a mesh of its own, about its middle.

@@ -85,6 +85,34 @@ TEST(OtherShapes, MayBeLeftUnmergedWhereTheyAreHulls) {
   EXPECT_EQ(header.shapes[0].edges.size(), 18u);
 }
 
+TEST(OtherShapes, AWiderWeldJoinsAcrossAWiderGap) {
+  const auto shapes_with = [](const std::string& weld) {
+    return parse_scenario(
+               "title = \"Welded\"\n"
+               "[shapes.floor]\ntype = \"mesh\"\n" +
+                   weld +
+                   "vertices = [[-1, 0, -1], [0, 0, -1], [0, 0, 1], [0, 1e-4, -1], [1, 0, 0], "
+                   "[0, 1e-4, 1]]\n"
+                   "triangles = [[0, 2, 1], [3, 5, 4]]\n"
+                   "[shapes.left]\ntype = \"box\"\nposition = [-1, 5, 0]\n" +
+                   weld +
+                   "half_extents = [1, 1, 1]\n"
+                   "[shapes.right]\ntype = \"box\"\nposition = [1.0003, 5, 0]\n" +
+                   weld + "half_extents = [1, 1, 1]\n",
+               "mesh/a.toml")
+        .shapes;
+  };
+  const auto separate = shapes_with(""), joined = shapes_with("weld = 1e-3\n");
+  const auto seams = [](const ScenarioShape& shape) {
+    return shape.is_mesh() ? std::get<Mesh<double>>(*shape.collider).seams.size()
+                           : std::get<Hull<double>>(*shape.collider).seams.covered.size();
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(seams(separate[i]), 0u) << separate[i].name;
+    EXPECT_EQ(seams(joined[i]), i == 0 ? 2u : 6u) << joined[i].name;
+  }
+}
+
 TEST(OtherShapes, PairsThatMakeNoContactAreWarnedOfOnce) {
   const std::string planes = kShapes +
                              "[shapes.wall]\ntype = \"plane\"\nnormal = [1, 0, 0]\noffset = 0\n"

@@ -21,6 +21,10 @@ TEST(GhostStudy, NothingIsThrownOrSlowedByOneSurface) {
       for (const trace::StudyPoint& point : series.points) {
         ASSERT_TRUE(point.error);
         EXPECT_GE(*point.error, 0);
+        // Vertices up to 0.2 mm above each other, and contacts may lean by a degree.
+        if (series.method == "cracks of 0.1 mm, welded") {
+          EXPECT_LT(*point.error, 0.01) << series.panel << " at " << point.parameter;
+        }
         if (!right.contains(series.method)) continue;
         EXPECT_LT(*point.error, 0.001) << results[measure].measure << ": " << series.panel << " on "
                                        << series.method << " at " << point.parameter;
