@@ -35,7 +35,7 @@ enum class Focus {
 inline constexpr std::array kFocusNames = {std::string_view("contact"), std::string_view("shapes"),
                                            std::string_view("deepest"), std::string_view("worst")};
 
-/// A finding of `lint`.
+/// A finding of `lint`, or where the condition of `--where` holds.
 struct Fault {
   struct Place {
     int frame = 0;
@@ -46,6 +46,7 @@ struct Fault {
   int count = 0, of = 0;        // occurrences, out of this many; 0: not counted
   int first = 0;                // frame
   std::vector<Place> places{};  // in the frames that are drawn
+  bool is_condition = false;
 };
 
 /// One camera on a scenario, with the layers and panels that it shows.

@@ -3,11 +3,14 @@
 
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <ranges>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "app/program.h"
+#include "scenario/scenario.h"
 
 namespace contactscope::test {
 namespace {
@@ -297,6 +300,45 @@ TEST(List, NamesEveryKind) {
   EXPECT_THAT(layers.out, HasSubstr("clip_polygons"));
   EXPECT_THAT(layers.out, testing::Not(HasSubstr("hull/face_contact")));
   EXPECT_THAT(run("list reducers --json").out, StartsWith("{\"reducers\":["));
+}
+
+// A row that loses its scene fails here. Rows without a scene are gaps: the number only falls.
+TEST(List, EveryClaimOfTheSourcesIsShownByWhatExists) {
+  constexpr int kGaps = 300;
+  std::set<std::string> studies;
+  const auto listed = nlohmann::json::parse(run("list studies --json").out);
+  for (const auto& study : listed["studies"]) studies.insert("study " + std::string(study["name"]));
+  int gaps = 0, shown = 0;
+  for (const std::string what : {"gregorius", "catto", "survey", "lecture", "course"}) {
+    const auto rows = nlohmann::json::parse(run("list " + what + " --json").out)[what];
+    EXPECT_GE(rows.size(), 16u) << what;
+    for (const auto& row : rows) {
+      const std::string summary = row["summary"];
+      const std::size_t begin = summary.rfind("  [") + 3;
+      const std::string entries = summary.substr(begin, summary.size() - begin - 1);
+      if (entries == "nothing") {
+        ++gaps;
+        continue;
+      }
+      for (const auto part : std::views::split(entries, std::string_view(", "))) {
+        const std::string entry(part.begin(), part.end());
+        ++shown;
+        if (studies.contains(entry)) continue;
+        if (entry.find('.') != std::string::npos) {
+          EXPECT_TRUE(std::filesystem::exists(entry)) << row;
+          continue;
+        }
+        const std::size_t colon = std::min(entry.find(':'), entry.size());
+        const std::string name = "scenarios/" + entry.substr(0, colon);
+        if (std::filesystem::exists(name + ".jsonl")) continue;
+        ASSERT_TRUE(std::filesystem::exists(name + ".toml")) << row;
+        const int frame = colon < entry.size() ? std::stoi(entry.substr(colon + 1)) : 0;
+        EXPECT_LT(frame, load_scenario(name + ".toml").frames) << row;
+      }
+    }
+  }
+  EXPECT_LE(gaps, kGaps);
+  EXPECT_GT(shown, 200);
 }
 
 }  // namespace

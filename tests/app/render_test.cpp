@@ -144,6 +144,24 @@ TEST(Render, AHeapsTraceShowsItsBodiesAndContacts) {
   EXPECT_THAT(drawn(heap, " --layers shapes,reference_face"), HasSubstr("reference face"));
 }
 
+TEST(Render, WhereMarksThePairsOfAHeapAndKeepsTheOthers) {
+  const TemporaryFolder folder;
+  const auto title_of = [&](const std::string& options) {
+    EXPECT_EQ(run("render scenarios/heap/bullet_twenty.jsonl --frames 1 --format svg --out '" +
+                  folder.path().string() + "'" + options)
+                  .exit_code,
+              0);
+    std::ifstream in(folder / "heap/bullet_twenty/frame_0001.svg");
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  const std::string all = title_of(""), marked = title_of(" --where 'overlap > 0.4 mm'");
+  for (const std::string& picture : {all, marked})
+    EXPECT_THAT(picture, HasSubstr("105 points, the deepest overlaps by 0.570 mm"));
+  // Those of the panel `worst`: 0.570, 0.430, 0.424, 0.204 mm.
+  EXPECT_THAT(marked, AllOf(HasSubstr("pairs for which the condition holds"), HasSubstr("!3"),
+                            Not(HasSubstr("!4"))));
+}
+
 TEST(Render, FramesOfATraceAreChosenByNumber) {
   const TemporaryFolder folder;
   const std::string scenario = folder.write("group/idea.toml", small_scenario());

@@ -179,13 +179,15 @@ void draw_moment(const Rect& chart, std::size_t frames, std::size_t moment, cons
   pen.line(top, low, 1.5, kNormal);
 }
 
-void draw_time_axis(double duration, double left, double width, double baseline, const Pen& pen) {
+void draw_time_axis(const std::vector<trace::Frame>& frames, double left, double width,
+                    double baseline, const Pen& pen) {
   const auto at = [&](const std::string& what, double share, Align align) {
     pen.text(what, pixel(left + share * width, baseline), align, kQuietText);
   };
-  at("0", 0, Align::Left);
+  const double first = frames.front().time;
+  at(first == 0 ? "0" : spell_quantity(first, "s"), 0, Align::Left);
   at("time", 0.5, Align::Center);
-  at(spell_quantity(duration, "s"), 1, Align::Right);
+  at(spell_quantity(frames.back().time, "s"), 1, Align::Right);
 }
 
 IdHistory::IdHistory(const std::vector<std::vector<IdState>>& rows,

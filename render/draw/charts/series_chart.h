@@ -57,8 +57,9 @@ void draw_series_swatch(std::size_t index, const Point2& left, double length, co
 /// Vertical line at a frame, slightly higher than the chart.
 void draw_moment(const Rect& chart, std::size_t frames, std::size_t moment, const Pen& pen);
 
-/// Below charts of a whole sequence: "0", "time", and the duration in seconds.
-void draw_time_axis(double duration, double left, double width, double baseline, const Pen& pen);
+/// Below charts of a whole sequence: the times of its first and last frame, and "time".
+void draw_time_axis(const std::vector<trace::Frame>& frames, double left, double width,
+                    double baseline, const Pen& pen);
 
 /// State of a contact id in one frame.
 enum class IdState : std::uint8_t { Absent, Dropped, Kept };

@@ -68,8 +68,11 @@ class LintPanel : public PanelContent {
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     const std::vector<InFrame> faults = faults_in(staging_.view, frames_[moment.frame].frame);
-    sheet.heading(faults.empty() ? "lint: nothing is wrong"
-                                 : "lint: " + counted(faults.size(), "finding", "findings"));
+    const auto conditions = std::ranges::count_if(staging_.view.faults, &Fault::is_condition);
+    const std::size_t findings = faults.size() - static_cast<std::size_t>(conditions);
+    sheet.heading(faults.empty()  ? "lint: nothing is wrong"
+                  : findings == 0 ? "pairs for which the condition holds"
+                                  : "lint: " + counted(findings, "finding", "findings"));
     std::size_t left_out = 0;
     const auto row = [&](const std::string& text, const std::string& value = "") {
       const Rect rest = sheet.rest();
@@ -86,7 +89,7 @@ class LintPanel : public PanelContent {
     };
     for (const InFrame& one : faults) {
       const Fault& fault = *one.fault;
-      row(in_words(fault.cause),
+      row(fault.is_condition ? fault.cause : in_words(fault.cause),
           fault.of > 0 ? spell_count(fault.count) + " of " + spell_count(fault.of)
                        : counted(static_cast<std::size_t>(fault.count), "time", "times"));
       for (std::size_t i = 0; i < one.listed(); ++i) {
@@ -129,7 +132,8 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
       if (!at || !scene.camera.sees(*at)) continue;
       sketch.mark(MarkKind::WideRing, *at, kText);
       sketch.label(*at, one.number(i), kText, 16, 10);
-      sketch.explain(kFaultSwatch, "named by lint", *at);
+      sketch.explain(kFaultSwatch,
+                     one.fault->is_condition ? "the condition holds" : "named by lint", *at);
     }
   }
 }

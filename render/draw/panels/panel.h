@@ -68,7 +68,8 @@ std::vector<std::string> wrapped(const std::string& text, float size, float widt
 /// One picture of a sequence. Pipeline times are set on request only: they make every picture
 /// differ.
 struct PanelMoment {
-  std::size_t frame = 0;  // index into the frames
+  std::size_t frame = 0;                 // index into the frames
+  const trace::Frame* before = nullptr;  // the frame before, if it is not among the frames
   std::optional<double> pipeline_nanoseconds{};
 };
 

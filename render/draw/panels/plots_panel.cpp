@@ -76,8 +76,8 @@ class PlotsPanel : public PanelContent {
       draw_series_chart(charts_[i], moment.frame, {rect.x, y, rect.width, height}, pen);
     if (strip > 0) draw_ids(moment.frame, {rect.x, y, rect.width, strip}, pen);
     const double gutter = pen.px(kChartGutter);
-    draw_time_axis(frames_.back().time, rect.x + gutter, rect.width - gutter,
-                   y + strip + pen.px(kTimeAxis - 4), pen);
+    draw_time_axis(frames_, rect.x + gutter, rect.width - gutter, y + strip + pen.px(kTimeAxis - 4),
+                   pen);
     sheet.skip_to(y + strip + pen.px(kTimeAxis + 4));
     for (const std::string& constant : constants_) sheet.line(constant, kText);
     sheet.skip_to(rect.bottom() - line);

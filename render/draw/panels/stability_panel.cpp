@@ -282,7 +282,7 @@ class StabilityPanel : public PanelContent {
       finish();
     }
     draw_moment(rows, frames_.size(), moment, pen);
-    draw_time_axis(frames_.back().time, rows.x, rows.width, top + 0.82 * pen.px(kTimeRow), pen);
+    draw_time_axis(frames_, rows.x, rows.width, top + 0.82 * pen.px(kTimeRow), pen);
   }
 
   std::vector<History> histories_;

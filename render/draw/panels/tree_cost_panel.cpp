@@ -68,7 +68,7 @@ class TreeCostPanel : public PanelContent {
         std::min<double>(pen.px(kMaxChart), rect.height - pen.px(kAxisBelow) - pen.px(kNames));
     draw_series_chart(chart_, moment.frame, {rect.x, y, rect.width, height}, pen);
     const double gutter = pen.px(kChartGutter);
-    draw_time_axis(frames_.back().time, rect.x + gutter, rect.width - gutter,
+    draw_time_axis(frames_, rect.x + gutter, rect.width - gutter,
                    y + height + pen.px(kAxisBelow - 4), pen);
     return {};
   }

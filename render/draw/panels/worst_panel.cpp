@@ -54,7 +54,7 @@ class WorstPanel : public PanelContent {
         ++left_out;
         continue;
       }
-      draw_ranking(ranking, moment.frame, sheet);
+      draw_ranking(ranking, moment, sheet);
     }
     return left_out == 0 ? "" : counted(left_out, "ranking", "rankings");
   }
@@ -76,8 +76,10 @@ class WorstPanel : public PanelContent {
            kBetweenRankings * scale_;
   }
 
-  /// Nothing for the first frame, and if the frame before is not in memory.
-  const trace::Frame* before(std::size_t frame) const {
+  /// Nothing for the first frame, and if the frame before is missing.
+  const trace::Frame* before(const PanelMoment& moment) const {
+    if (moment.before != nullptr) return moment.before;
+    const std::size_t frame = moment.frame;
     if (frame == 0 || frames_[frame].frame - frames_[frame - 1].frame != 1) return nullptr;
     return &frames_[frame - 1];
   }
@@ -89,15 +91,16 @@ class WorstPanel : public PanelContent {
                         staging_.scales.length);
   }
 
-  void draw_ranking(const Ranking& ranking, std::size_t index, Sheet& sheet) const {
-    const trace::Frame& frame = frames_[index];
+  void draw_ranking(const Ranking& ranking, const PanelMoment& moment, Sheet& sheet) const {
+    const trace::Frame& frame = frames_[moment.frame];
     const std::vector<RankedPair> ranked =
-        ranked_pairs(frame, ranking.by, ranking.rows, staging_.meshes, before(index));
+        ranked_pairs(frame, ranking.by, ranking.rows, staging_.meshes, before(moment));
     const float end = static_cast<float>(sheet.rest().y) + height_of(ranking);
     sheet.line(ranking.title, kQuietText);
     if (ranked.empty())
-      sheet.line(ranking.by == Rank::Change && before(index) == nullptr ? "no frame before this one"
-                                                                        : "none",
+      sheet.line(ranking.by == Rank::Change && before(moment) == nullptr
+                     ? "no frame before this one"
+                     : "none",
                  kText);
     const Pen& pen = sheet.pen();
     const bool is_numbered = ranking.by == Rank::Overlap;

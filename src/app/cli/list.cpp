@@ -2,6 +2,9 @@
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/verbs.h"
@@ -13,6 +16,15 @@
 #include "view/title.h"
 #include "view/words.h"
 
+namespace contactscope {
+
+/// scenarios/sources.tsv and course.tsv: lines of id, place in the document, claim, and the scenes,
+/// studies or files that show it, separated by tabs; after a line of headings.
+std::string_view sources();
+std::string_view course();
+
+}  // namespace contactscope
+
 namespace contactscope::app {
 namespace {
 
@@ -20,6 +32,26 @@ struct Item {
   std::string name;
   std::string summary;
 };
+
+/// The lines whose ids begin with a letter, or all.
+std::vector<Item> items_of_map(std::string_view map, std::string_view letter) {
+  std::vector<Item> items;
+  std::istringstream lines{std::string(map)};
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string id, place, claim, shown;
+    std::getline(cells, id, '\t');
+    std::getline(cells, place, '\t');
+    std::getline(cells, claim, '\t');
+    std::getline(cells, shown);
+    if (id.starts_with(letter))
+      items.push_back(
+          {id, place + ": " + claim + "  [" + (shown.empty() ? "nothing" : shown) + "]"});
+  }
+  return items;
+}
 
 std::vector<Item> items_of(const std::string& what, const Options& options) {
   const auto with_summary = [](const auto& info) { return Item{info.name, info.summary}; };
@@ -36,6 +68,11 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   if (what == "panels") return mapped(kPanelNames, name_alone);
   if (what == "studies") return mapped(studies(), with_summary);
   if (what == "words") return mapped(known_words(), name_alone);
+  if (what == "sources") return items_of_map(sources(), "");
+  if (what == "course") return items_of_map(course(), "");
+  for (const auto& [document, letter] :
+       {std::pair("gregorius", "G"), {"catto", "C"}, {"survey", "S"}, {"lecture", "L"}})
+    if (what == document) return items_of_map(sources(), letter);
   return mapped(scenario_files(options.scenario_root), [](const std::string& file) {
     const Scenario scenario = load_scenario(file);
     return Item{scenario.name, plain_title(scenario.title)};
@@ -43,7 +80,7 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
 }
 
 ExitCode run_list(const Options& options) {
-  std::vector<std::string> kinds = kListed;
+  std::vector<std::string> kinds(kListed.begin(), std::ranges::find(kListed, "sources"));
   if (!options.what.empty()) kinds = {options.what};
   nlohmann::ordered_json json;
   for (const std::string& kind : kinds) {
@@ -79,6 +116,7 @@ Verb list_verb() {
   return {"list", "List scenarios, reducers, layers and other names", &run_list,
           "Examples:\n"
           "  contactscope list scenarios\n"
+          "  contactscope list sources\n"
           "Exit codes: 0 done, 2 an error."};
 }
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/at.h"
+#include "draw/scene/contact_facts.h"
 #include "scenario/nearest_word.h"
 
 namespace contactscope::app {
@@ -68,7 +69,8 @@ find::Expression condition_of(const std::string& option, const std::string& text
   }
 }
 
-void keep_where(Sequence& sequence, std::vector<int>& frames, const Options& options) {
+void keep_where(Sequence& sequence, std::vector<int>& frames, std::vector<View>& views,
+                const Options& options) {
   find::Finder finder(condition_of("--where", options.condition));
   using Name = std::tuple<std::string, std::string, std::string>;
   std::map<int, std::set<Name>> found;
@@ -79,6 +81,19 @@ void keep_where(Sequence& sequence, std::vector<int>& frames, const Options& opt
       found[hit.frame].emplace(std::move(hit.a), std::move(hit.b), std::move(hit.label));
   });
   std::erase_if(frames, [&](int frame) { return !found.contains(frame); });
+  if (std::ranges::any_of(sequence.frames, draw::is_heap)) {
+    Fault marked{options.condition};
+    for (const auto& [frame, names] : found)
+      for (const auto& [a, b, label] : names) marked.places.push_back({frame, a, b});
+    marked.count = count_of(marked.places);
+    marked.is_condition = true;
+    for (View& view : views) {
+      view.faults.push_back(marked);
+      if (!options.panels && !view.shows(Panel::Lint))
+        view.panels.insert(view.panels.begin(), Panel::Lint);
+    }
+    return;
+  }
   sequence.trim = [trim = sequence.trim, found](trace::Frame& frame) {
     if (trim) trim(frame);
     const auto of_frame = found.find(frame.frame);

@@ -14,8 +14,9 @@ find::Expression condition_of(const std::string& option, const std::string& text
                               const find::Vocabulary& words = find::vocabulary());
 
 /// Reduces the frames to draw to those with a pair for which --where holds, and their pairs to
-/// these.
-void keep_where(Sequence& sequence, std::vector<int>& frames, const Options& options);
+/// these. Heaps keep all pairs, and the views mark these.
+void keep_where(Sequence& sequence, std::vector<int>& frames, std::vector<View>& views,
+                const Options& options);
 
 /// Applies the camera options of the command line to all views. Throws UsageError if a position is
 /// not three numbers.

@@ -75,15 +75,20 @@ class Sampler {
 
 }  // namespace
 
-void Sequence::each(const std::vector<int>& wanted, const std::function<void(std::size_t)>& show) {
+void Sequence::each(const std::vector<int>& wanted, const std::function<void(std::size_t)>& show,
+                    bool with_before) {
   if (!file) {
     for (std::size_t i = 0; i < frames.size(); ++i)
       if (std::ranges::binary_search(wanted, frames[i].frame)) show(i);
     return;
   }
   file->rewind();
+  const auto is_wanted = [&](std::size_t i) {
+    return i < numbers.size() && std::ranges::binary_search(wanted, numbers[i]);
+  };
+  before.reset();
   for (std::size_t i = 0; i < numbers.size() && numbers[i] <= wanted.back(); ++i) {
-    if (!std::ranges::binary_search(wanted, numbers[i])) {
+    if (!is_wanted(i) && !(with_before && is_wanted(i + 1))) {
       file->skip();
       continue;
     }
@@ -92,9 +97,15 @@ void Sequence::each(const std::vector<int>& wanted, const std::function<void(std
     frame->shapes.clear();
     trace::name_points(header.shapes, *frame);
     if (trim) trim(*frame);
+    if (!is_wanted(i)) {
+      before = std::move(frame);
+      continue;
+    }
     std::swap(frames[i / every], *frame);
     show(i / every);
     std::swap(frames[i / every], *frame);
+    last = std::move(*frame);
+    before.reset();
   }
 }
 

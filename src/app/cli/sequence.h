@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/cli/trace_file.h"
@@ -21,10 +22,15 @@ struct Sequence {
   std::shared_ptr<TraceFile> file{};  // for a long trace: source of the other frames
   std::function<void(trace::Frame&)>
       trim{};  // applies --pair and --shapes to a frame; empty without them
+  /// During each(), of a long trace: the frame that was shown last, and that before the shown one.
+  trace::Frame last{};
+  std::optional<trace::Frame> before{};
 
   /// Shows each frame of `wanted` (increasing) by its index in `frames`. A frame that is not in
-  /// memory temporarily replaces the sampled one. Throws InputError.
-  void each(const std::vector<int>& wanted, const std::function<void(std::size_t)>& show);
+  /// memory temporarily replaces the sampled one. `with_before`: reads also the frame before each.
+  /// Throws InputError.
+  void each(const std::vector<int>& wanted, const std::function<void(std::size_t)>& show,
+            bool with_before = false);
 };
 
 /// Amount of a trace to keep in memory.

@@ -75,7 +75,7 @@ std::string title_of(const trace::Header& header) {
 }
 
 // Runs the scenario or takes the trace.
-Sequence sequence_of(Input& input, const std::vector<View>& views, bool every_stage,
+Sequence sequence_of(Input& input, std::vector<View>& views, bool every_stage,
                      const Options& options, RunLog& log) {
   Sequence sequence;
   if (input.trace) {
@@ -91,7 +91,7 @@ Sequence sequence_of(Input& input, const std::vector<View>& views, bool every_st
     account_stages(input.scenario, stages, log);
   }
   narrow(sequence, options);
-  if (!options.condition.empty()) keep_where(sequence, input.frames, options);
+  if (!options.condition.empty()) keep_where(sequence, input.frames, views, options);
   account_facts(input.scenario.name, views, sequence, log);
   return sequence;
 }
@@ -111,7 +111,7 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
                     Progress& progress, RunLog& log) {
   const Scenario& scenario = input.scenario;
   add_faults(input, input.frames, input.scenario.views);
-  const std::vector<View> views = selected_views(scenario, options);
+  std::vector<View> views = selected_views(scenario, options);
   Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
   if (input.frames.empty()) {
     std::cerr << "in no frame of " << scenario.name << " is there a pair with " << options.condition
@@ -195,7 +195,8 @@ ExitCode run_render(const Options& options) {
     Progress progress(pictures, options.quiet);
     if (options.sheet) {
       const auto run = [&](Input& input) {
-        return sequence_of(input, selected_views(input.scenario, options), false, options, total);
+        std::vector<View> views = selected_views(input.scenario, options);
+        return sequence_of(input, views, false, options, total);
       };
       draw_sheet(inputs, run, options, renderer, sinks, progress);
     } else {

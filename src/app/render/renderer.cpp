@@ -98,12 +98,19 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
     const Timed timed(log_, "start Dear ImGui");
     panels.emplace(staging, sequence.frames);
   };
+  std::optional<draw::Drawing> shown;  // of a long trace: the drawing of the last frame
+  // Adds the panels.
   const auto complete = [&](std::size_t index, TimedDrawing drawn) {
     log_.add("illustrate", drawn.time);
     draw::Drawing& drawing = drawn.drawing;
     if (panels) {
       const Timed timed(log_, "panels");
-      draw::PanelMoment moment{index, {}};
+      draw::PanelMoment moment{index};
+      const int previous = sequence.frames[index].frame - 1;
+      if (sequence.before && sequence.before->frame == previous)
+        moment.before = &*sequence.before;
+      else if (sequence.file && shown && sequence.last.frame == previous)
+        moment.before = &sequence.last;
       if (index < sequence.nanoseconds.size())
         moment.pipeline_nanoseconds = sequence.nanoseconds[index];
       for (const std::string& what : panels->add(moment, drawing)) {
@@ -113,23 +120,33 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
       }
     }
     finish(staging.style, drawing);
-    sink(sequence.frames[index], std::move(drawing));
+    return std::move(drawing);
   };
 
   if (sequence.file) {
-    sequence.each(numbers, [&](std::size_t index) {
+    // Paints each frame while another thread draws the next one.
+    const auto sink_last = [&] {
+      if (shown) sink(sequence.last, std::move(*shown));
+    };
+    const auto show = [&](std::size_t index) {
       stop_if_interrupted();
       const trace::Frame& frame = sequence.frames[index];
+      std::future<TimedDrawing> next = std::async(std::launch::async, [&] {
+        return timed_drawing([&] {
+          return staging.cells
+                     ? draw::illustrate(draw::stage(sequence.header, sequence.frames, staging.view,
+                                                    width, height, staging.style),
+                                        frame)
+                     : draw::illustrate(staging, frame);
+        });
+      });
+      sink_last();
       // The frame was read just now, so panels that scanned all frames have not seen it.
       start_panels();
-      complete(index, timed_drawing([&] {
-                 return staging.cells ? draw::illustrate(
-                                            draw::stage(sequence.header, sequence.frames,
-                                                        staging.view, width, height, staging.style),
-                                            frame)
-                                      : draw::illustrate(staging, frame);
-               }));
-    });
+      shown = complete(index, next.get());
+    };
+    sequence.each(numbers, show, staging.view.shows(Panel::Worst));
+    sink_last();
     return;
   }
   start_panels();
@@ -147,7 +164,7 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
     stop_if_interrupted();
     TimedDrawing drawn = next.get();
     if (i + 1 < places.size()) next = begin(i + 1);
-    complete(places[i], std::move(drawn));
+    sink(sequence.frames[places[i]], complete(places[i], std::move(drawn)));
   }
 }
 
