@@ -139,7 +139,6 @@ struct ScenarioOutcome {
   int frames = 0;                      // with compared facts
   int pictures = 0;                    // compared
   int written = 0;                     // files written, rewritten or removed
-  bool is_known_same = false;          // nothing that it depends on changed since it was the same
   std::vector<std::string> notes{};    // remarks that are not errors
   std::vector<std::string> brittle{};  // decisions within rounding, see brittle.h
   std::vector<Finding> findings{};
@@ -193,7 +192,7 @@ struct Outcome {
 
 /// Counts of a run.
 struct Tally {
-  int scenarios = 0, same = 0, failing = 0, known_same = 0;
+  int scenarios = 0, same = 0, failing = 0;
   int without_file =
       0;  // failing ones that are stored but have no scenario file (or meshes without a trace)
   int frames = 0, pictures = 0, written = 0;
