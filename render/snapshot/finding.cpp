@@ -47,7 +47,6 @@ Tally tally(const Outcome& outcome) {
     tally.failing += scenario.fails();
     tally.without_file += scenario.fails() && !is_there;
     tally.same += is_there && scenario.findings.empty();
-    tally.known_same += scenario.is_known_same;
     tally.frames += scenario.frames;
     tally.pictures += scenario.pictures;
     tally.written += scenario.written;

@@ -18,8 +18,8 @@ namespace contactscope::trace {
 template <> struct ListOf<PixelLimits> {
   static constexpr auto fields() {
     using L = PixelLimits;
-    return field::list(field::exact("channel", &L::channel), field::exact("cluster", &L::cluster),
-                       field::exact("total", &L::total));
+    return field::list(field::exact<&L::channel>, field::exact<&L::cluster>,
+                       field::exact<&L::total>);
   }
 };
 
@@ -70,11 +70,9 @@ struct PixelMeasures {
   static constexpr auto fields() {
     using M = PixelMeasures;
     using namespace trace::field;
-    return list(exact("size_differs", &M::size_differs), exact("differing", &M::differing),
-                exact("largest_cluster", &M::largest_cluster),
-                exact("largest_cluster_at", &M::largest_cluster_at),
-                exact("largest_channel_difference", &M::largest_channel_difference),
-                exact("allowed", &M::allowed));
+    return list(exact<&M::size_differs>, exact<&M::differing>, exact<&M::largest_cluster>,
+                exact<&M::largest_cluster_at>, exact<&M::largest_channel_difference>,
+                exact<&M::allowed>);
   }
 };
 
@@ -117,18 +115,13 @@ struct Finding {
   static constexpr auto fields() {
     using F = Finding;
     using namespace trace::field;
-    return list(exact("key", &F::key), exact("kind", &F::kind), exact("view", &F::view).where_set(),
-                exact("frame", &F::frame), exact("file", &F::file).where_set(),
-                exact("sentence", &F::sentence), exact("details", &F::details).where_set(),
-                exact("cause", &F::cause), exact("pixels", &F::pixels),
-                exact("layers", &F::layers).where_set(),
-                exact("layers_picture", &F::layers_picture).where_set(),
-                exact("candidate", &F::candidate).where_set(),
-                exact("expected", &F::expected).where_set(),
-                exact("difference", &F::difference).where_set(),
-                exact("stored_sha256", &F::stored_sha256).where_set(),
-                exact("candidate_sha256", &F::candidate_sha256).where_set(),
-                exact("done", &F::done), exact("review", &F::review), exact("fails", &F::fails));
+    return list(exact<&F::key>, exact<&F::kind>, exact<&F::view>.where_set(), exact<&F::frame>,
+                exact<&F::file>.where_set(), exact<&F::sentence>, exact<&F::details>.where_set(),
+                exact<&F::cause>, exact<&F::pixels>, exact<&F::layers>.where_set(),
+                exact<&F::layers_picture>.where_set(), exact<&F::candidate>.where_set(),
+                exact<&F::expected>.where_set(), exact<&F::difference>.where_set(),
+                exact<&F::stored_sha256>.where_set(), exact<&F::candidate_sha256>.where_set(),
+                exact<&F::done>, exact<&F::review>, exact<&F::fails>);
   }
 };
 
@@ -139,7 +132,6 @@ struct ScenarioOutcome {
   int frames = 0;                      // with compared facts
   int pictures = 0;                    // compared
   int written = 0;                     // files written, rewritten or removed
-  bool is_known_same = false;          // nothing that it depends on changed since it was the same
   std::vector<std::string> notes{};    // remarks that are not errors
   std::vector<std::string> brittle{};  // decisions within rounding, see brittle.h
   std::vector<Finding> findings{};
@@ -154,11 +146,9 @@ struct ScenarioOutcome {
   static constexpr auto fields() {
     using S = ScenarioOutcome;
     using namespace trace::field;
-    return list(exact("scenario", &S::scenario), exact("file", &S::file).where_set(),
-                exact("same", &S::same), exact("frames", &S::frames),
-                exact("pictures", &S::pictures), exact("written", &S::written),
-                exact("notes", &S::notes).where_set(), exact("brittle", &S::brittle).where_set(),
-                exact("findings", &S::findings));
+    return list(exact<&S::scenario>, exact<&S::file>.where_set(), exact<&S::same>,
+                exact<&S::frames>, exact<&S::pictures>, exact<&S::written>,
+                exact<&S::notes>.where_set(), exact<&S::brittle>.where_set(), exact<&S::findings>);
   }
 };
 
@@ -169,7 +159,7 @@ struct Shard {
 
   static constexpr auto fields() {
     using namespace trace::field;
-    return list(exact("part", &Shard::part), exact("of", &Shard::of));
+    return list(exact<&Shard::part>, exact<&Shard::of>);
   }
 };
 
@@ -185,15 +175,14 @@ struct Outcome {
   static constexpr auto fields() {
     using O = Outcome;
     using namespace trace::field;
-    return list(exact("snapshots", &O::snapshots), exact("facts_only", &O::facts_only).where_set(),
-                exact("shard", &O::shard), exact("all", &O::all).where_set(),
-                exact("made_of", &O::made_of).where_set());
+    return list(exact<&O::snapshots>, exact<&O::facts_only>.where_set(), exact<&O::shard>,
+                exact<&O::all>.where_set(), exact<&O::made_of>.where_set());
   }
 };
 
 /// Counts of a run.
 struct Tally {
-  int scenarios = 0, same = 0, failing = 0, known_same = 0;
+  int scenarios = 0, same = 0, failing = 0;
   int without_file =
       0;  // failing ones that are stored but have no scenario file (or meshes without a trace)
   int frames = 0, pictures = 0, written = 0;

@@ -10,6 +10,8 @@
 namespace contactscope::vector {
 namespace {
 
+// Below half a step of eight bits, no pixel changes.
+constexpr float kFaintest = 0.5f / 255;
 // Ends within this distance are one point, pixels: half of the resolution of two decimals.
 constexpr float kSamePoint = 0.005f;
 // Pieces of a curve with butt caps overlap by half a pixel at small turns, see compose.cpp.
@@ -70,7 +72,7 @@ struct Grouping {
 
   void add(const draw::Fill& fill) {
     std::vector<Point2> polygon = draw::clip_polygon(canvas, fill.polygon);
-    if (polygon.size() < 3) return;
+    if (polygon.size() < 3 || fill.color.a < kFaintest) return;
     const float size = area(polygon);
     if (size == 0) return;
     if (size < 0) std::ranges::reverse(polygon);
@@ -98,6 +100,8 @@ struct Grouping {
   }
 
   void add(const draw::Stroke& stroke) {
+    if (!(stroke.width > 0) || stroke.color.a < kFaintest) return;
+    if (stroke.from == stroke.to && stroke.cap == Cap::Butt) return;
     Point2 from = stroke.from, to = stroke.to;
     float phase = stroke.gap > 0 ? stroke.phase : 0;
     const Rect room = canvas.grown(stroke.width);
@@ -160,8 +164,20 @@ struct Grouping {
     return true;
   }
 
-  void add(const Disc& disc) { pieces().push_back(disc); }
-  void add(const Text& text) { pieces().push_back(placed(text)); }
+  void add(const Disc& disc) {
+    if (disc.outer > std::max(0.0f, disc.inner) && disc.color.a >= kFaintest &&
+        canvas.grown(disc.outer).contains(disc.center))
+      pieces().push_back(disc);
+  }
+
+  void add(const Text& text) {
+    const bool is_seen =
+        text.color.a >= kFaintest || (text.halo > 0 && text.halo_color.a >= kFaintest);
+    const PlacedText at = placed(text);
+    const Rect line{at.left.x, at.left.y - text.size, at.width, 2 * text.size};
+    if (is_seen && at.width > 0 && canvas.overlaps(line.grown(text.halo + text.size)))
+      pieces().push_back(at);
+  }
 };
 
 }  // namespace
@@ -175,7 +191,6 @@ PlacedText placed(const Text& text) {
 std::vector<Group> groups_of(const draw::Drawing& drawing) {
   Grouping grouping{
       {0, 0, static_cast<double>(drawing.width), static_cast<double>(drawing.height)}};
-  const std::vector<bool> seen = visible(drawing);
   std::size_t next = 0;  // index of the next part
   bool begun = false;    // the current part has a group
   for (std::size_t i = 0; i < drawing.primitives.size(); ++i) {
@@ -183,7 +198,6 @@ std::vector<Group> groups_of(const draw::Drawing& drawing) {
       ++next;
       begun = false;
     }
-    if (!seen[i]) continue;
     if (!begun) grouping.begin(next > 0 ? &drawing.parts[next - 1] : nullptr);
     begun = true;
     std::visit([&](const auto& shape) { grouping.add(shape); }, drawing.primitives[i]);

@@ -5,7 +5,7 @@
 
 #include "draw/scene/drawing.h"
 
-/// Converts a Drawing for vector files: visible parts only, in as few paths as possible.
+/// Converts a Drawing for vector files: in as few paths as possible.
 namespace contactscope::vector {
 
 using draw::Cap;
@@ -53,18 +53,10 @@ struct Group {
   std::vector<Piece> pieces;
 };
 
-/// Visible pieces of a drawing, which must outlive them. Omits primitives without colour, size or a
-/// place on the canvas, and those that later opaque fills cover (visible()). Adjacent fills of one
-/// colour share a path if they are opaque or do not overlap. Strokes of one style share a path, and
-/// are joined end to end into lines.
+/// Pieces of a drawing, which must outlive them. Omits primitives without colour, size or a place on
+/// the canvas. Adjacent fills of one colour share a path if they are opaque or do not overlap.
+/// Strokes of one style share a path, and are joined end to end into lines.
 std::vector<Group> groups_of(const draw::Drawing& drawing);
-
-/// For each primitive, true if it is visible: it has a colour and a size, reaches into the canvas,
-/// and later opaque fills do not cover all its pixels and their neighbours.
-///
-/// Goes from the last primitive to the first. A fill without alpha covers the pixels with their
-/// centres inside, as in rasterization. A primitive that touches only covered pixels is hidden.
-std::vector<bool> visible(const draw::Drawing& drawing);
 
 /// Position of a text in the rasterizer.
 PlacedText placed(const Text& text);

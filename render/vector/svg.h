@@ -23,8 +23,7 @@ struct SvgOptions {
 ///   <g id="contacts" class="layer contacts" data-pair="table crate" data-role="mark">. Its id is
 ///   the layer's name, or "panel-summary" for panels and insets; later runs get "contacts-2", ...
 /// - Live text in the embedded font, with a subset for each weight.
-/// - Only visible primitives (pieces.h). Neighbouring polygons of surfaces have no soft edges, as
-///   in pixels, to avoid seams.
+/// - Neighbouring polygons of surfaces have no soft edges, as in pixels, to avoid seams.
 /// - Two decimals; equal drawings give equal bytes. The size is that of the pixels on paper: CSS
 ///   pixels, or points for pixels of another size.
 ///

@@ -14,10 +14,9 @@ struct ClipFace {
   Polygon polygon;
 
   static constexpr auto fields() {
-    return field::list(field::exact("shape", &ClipFace::shape),
-                       field::exact("face", &ClipFace::face),
-                       field::direction("normal", &ClipFace::normal).optional(),
-                       field::position("polygon", &ClipFace::polygon).says(""));
+    return field::list(field::exact<&ClipFace::shape>, field::exact<&ClipFace::face>,
+                       field::direction<&ClipFace::normal>.optional(),
+                       field::position<&ClipFace::polygon>.says(""));
   }
 };
 
@@ -28,9 +27,9 @@ struct ClipStep {
   Polygon polygon;
 
   static constexpr auto fields() {
-    return field::list(field::direction("normal", &ClipStep::normal).in("plane"),
-                       field::length("offset", &ClipStep::offset).in("plane"),
-                       field::position("polygon", &ClipStep::polygon).says(""));
+    return field::list(field::direction<&ClipStep::normal>.in("plane"),
+                       field::length<&ClipStep::offset>.in("plane"),
+                       field::position<&ClipStep::polygon>.says(""));
   }
 };
 
@@ -39,8 +38,8 @@ struct DroppedPoint {
   std::string reason;  // "above the reference face"
 
   static constexpr auto fields() {
-    return field::list(field::position("position", &DroppedPoint::position).says(""),
-                       field::exact("reason", &DroppedPoint::reason));
+    return field::list(field::position<&DroppedPoint::position>.says(""),
+                       field::exact<&DroppedPoint::reason>);
   }
 };
 
@@ -52,10 +51,10 @@ struct Clip {
   std::vector<DroppedPoint> dropped;
 
   static constexpr auto fields() {
-    return field::list(field::fact("reference", &Clip::reference).called("reference face"),
-                       field::fact("incident", &Clip::incident).called("incident face"),
-                       field::facts("steps", &Clip::steps).entries("clip step", "side planes"),
-                       field::facts("dropped", &Clip::dropped).entries("dropped point"));
+    return field::list(field::fact<&Clip::reference>.called("reference face"),
+                       field::fact<&Clip::incident>.called("incident face"),
+                       field::facts<&Clip::steps>.entries("clip step", "side planes"),
+                       field::facts<&Clip::dropped>.entries("dropped point"));
   }
 };
 

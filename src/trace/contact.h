@@ -17,12 +17,9 @@ struct Impulse {
 
   static constexpr auto fields() {
     return field::list(
-        field::impulse("normal", &Impulse::normal).says("impulse"),
-        field::impulse("friction", &Impulse::friction)
-            .optional()
-            .negated()
-            .says("friction impulse"),
-        field::impulse("warm_start", &Impulse::warm_start).optional().says("warm start"));
+        field::impulse<&Impulse::normal>.says("impulse"),
+        field::impulse<&Impulse::friction>.optional().negated().says("friction impulse"),
+        field::impulse<&Impulse::warm_start>.optional().says("warm start"));
   }
   friend bool operator==(const Impulse&, const Impulse&) = default;
 };
@@ -34,10 +31,9 @@ struct RelativeVelocity {
 
   static constexpr auto fields() {
     return field::list(
-        field::velocity("before", &RelativeVelocity::before).negated().says("relative velocity"),
-        field::velocity("after", &RelativeVelocity::after)
-            .negated()
-            .says("relative velocity after the step"));
+        field::velocity<&RelativeVelocity::before>.negated().says("relative velocity"),
+        field::velocity<&RelativeVelocity::after>.negated().says(
+            "relative velocity after the step"));
   }
   friend bool operator==(const RelativeVelocity&, const RelativeVelocity&) = default;
 };
@@ -54,15 +50,13 @@ struct Point {
   bool active = true;  // false: a speculative point that the solver ignored
 
   static constexpr auto fields() {
-    return field::list(
-        field::position("position", &Point::position).says(""),
-        field::length("separation", &Point::separation),
-        field::exact("id", &Point::id).optional().mirror(Mirrored::IdFlipped).finds(),
-        field::fact("impulse", &Point::impulse),
-        field::fact("relative_velocity", &Point::relative_velocity),
-        field::position("on_a", &Point::on_a).swaps(&Point::on_b).says("place on a"),
-        field::position("on_b", &Point::on_b).says("place on b"),
-        field::exact("active", &Point::active).where_set().called("idle", "active"));
+    return field::list(field::position<&Point::position>.says(""),
+                       field::length<&Point::separation>,
+                       field::exact<&Point::id>.optional().mirror(Mirrored::IdFlipped).finds(),
+                       field::fact<&Point::impulse>, field::fact<&Point::relative_velocity>,
+                       field::position<&Point::on_a>.swaps(&Point::on_b).says("place on a"),
+                       field::position<&Point::on_b>.says("place on b"),
+                       field::exact<&Point::active>.where_set().called("idle", "active"));
   }
 };
 
@@ -74,11 +68,11 @@ struct Manifold {
   std::string type{};  // "point-face", ...: the touching features, the simpler one first
 
   static constexpr auto fields() {
-    return field::list(field::direction_to_b("normal", &Manifold::normal),
-                       field::axis("axis", &Manifold::axis).optional(),
-                       field::exact("type", &Manifold::type).where_set(),
-                       field::exact("triangle", &Manifold::triangle).or_null().finds(),
-                       field::facts("points", &Manifold::points).entries("point"));
+    return field::list(field::direction_to_b<&Manifold::normal>,
+                       field::axis<&Manifold::axis>.optional(),
+                       field::exact<&Manifold::type>.where_set(),
+                       field::exact<&Manifold::triangle>.or_null().finds(),
+                       field::facts<&Manifold::points>.entries("point"));
   }
 };
 

@@ -23,10 +23,9 @@ struct Decision {
 
   static constexpr auto fields() {
     using D = Decision;
-    return field::list(field::axis("stage", &D::stage).names(), field::axis("took", &D::took),
-                       field::axis("over", &D::over), field::length("margin", &D::margin),
-                       field::area("margin_area", &D::margin_area),
-                       field::direction("margin_cosine", &D::margin_cosine));
+    return field::list(field::axis<&D::stage>.names(), field::axis<&D::took>, field::axis<&D::over>,
+                       field::length<&D::margin>, field::area<&D::margin_area>,
+                       field::direction<&D::margin_cosine>);
   }
   friend bool operator==(const Decision&, const Decision&) = default;
 };
@@ -43,12 +42,10 @@ struct Flip {
 
   static constexpr auto fields() {
     using F = Flip;
-    return field::list(
-        field::length("way", &F::offset),
-        field::direction_to_b("direction", &F::direction).where_set(),
-        field::ratio("turn", &F::turn),
-        field::direction_to_b("axis", &F::axis).where_set().says("axis of the turn"),
-        field::exact("last_places", &F::last_places).says("units in the last place"));
+    return field::list(field::length<&F::offset>.keyed("way"),
+                       field::direction_to_b<&F::direction>.where_set(), field::ratio<&F::turn>,
+                       field::direction_to_b<&F::axis>.where_set().says("axis of the turn"),
+                       field::exact<&F::last_places>.says("units in the last place"));
   }
   friend bool operator==(const Flip&, const Flip&) = default;
 };

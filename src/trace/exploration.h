@@ -29,17 +29,14 @@ struct ReducerAnswer {
 
   static constexpr auto fields() {
     using A = ReducerAnswer;
-    return field::list(
-        field::exact("name", &A::name), field::exact("kept", &A::kept).into("points"),
-        field::area("area", &A::area), field::exact("area_ratio", &A::area_ratio),
-        field::exact("deepest_kept", &A::deepest_kept),
-        field::exact("supports_center_of_mass", &A::supports_center_of_mass),
-        field::exact("wrench_error", &A::wrench_error),
-        field::length("depth_error", &A::depth_error), field::exact("ids_changed", &A::ids_changed),
-        field::length("patch_moved", &A::patch_moved),
-        field::exact("median", &A::median).in("nanoseconds"),
-        field::exact("min", &A::min).in("nanoseconds"),
-        field::exact("upper_quartile", &A::quarter).in("nanoseconds"));
+    return field::list(field::exact<&A::name>, field::exact<&A::kept>.into("points"),
+                       field::area<&A::area>, field::exact<&A::area_ratio>,
+                       field::exact<&A::deepest_kept>, field::exact<&A::supports_center_of_mass>,
+                       field::exact<&A::wrench_error>, field::length<&A::depth_error>,
+                       field::exact<&A::ids_changed>, field::length<&A::patch_moved>,
+                       field::exact<&A::median>.in("nanoseconds"),
+                       field::exact<&A::min>.in("nanoseconds"),
+                       field::exact<&A::quarter>.keyed("upper_quartile").in("nanoseconds"));
   }
 };
 
@@ -59,13 +56,12 @@ struct Exploration {
 
   static constexpr auto fields() {
     using E = Exploration;
-    return field::list(
-        field::exact("scenario", &E::scenario), field::exact("frame", &E::frame),
-        field::exact("a", &E::a).where_set(), field::exact("b", &E::b).where_set(),
-        field::exact("label", &E::label).where_set(), field::exact("triangle", &E::triangle),
-        field::facts("points", &E::points), field::direction_to_b("normal", &E::normal),
-        field::area("best_area", &E::best_area), field::exact("best", &E::best).into("points"),
-        field::length("bodies_moved", &E::bodies_moved), field::facts("reducers", &E::reducers));
+    return field::list(field::exact<&E::scenario>, field::exact<&E::frame>,
+                       field::exact<&E::a>.where_set(), field::exact<&E::b>.where_set(),
+                       field::exact<&E::label>.where_set(), field::exact<&E::triangle>,
+                       field::facts<&E::points>, field::direction_to_b<&E::normal>,
+                       field::area<&E::best_area>, field::exact<&E::best>.into("points"),
+                       field::length<&E::bodies_moved>, field::facts<&E::reducers>);
   }
 };
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -96,6 +98,7 @@ template <class Owner, class Value> struct Field {
   const char* states[2] = {"no", "yes"};  // words for false and true in sentences
   void (*otherwise)(Owner&) = nullptr;    // computes it when a trace lacks the key
 
+  constexpr Field keyed(const char* name) const { return with(&Field::key, name); }
   constexpr Field optional() const { return with(&Field::presence, Presence::Optional); }
   constexpr Field where_set() const { return with(&Field::presence, Presence::WhereSet); }
   constexpr Field or_null() const { return with(&Field::presence, Presence::OrNull); }
@@ -139,42 +142,53 @@ template <class Owner, class Value> struct Field {
   }
 };
 
-/// Builders of the lists: field::length("offset", &HalfSpace::offset).
+/// Name of the member that a pointer points to: "offset" for &HalfSpace::offset. The compiler
+/// spells the pointer in the signature of this function, as "[with auto kMember = &HalfSpace::offset]".
+template <auto kMember> constexpr auto member_name() {
+  constexpr std::string_view text = __PRETTY_FUNCTION__;
+  constexpr std::size_t begin = text.rfind(':') + 1;
+  std::array<char, text.size() - begin> name{};  // the bracket's place is for the final 0
+  for (std::size_t i = 0; i + 1 < name.size(); ++i) name[i] = text[begin + i];
+  return name;
+}
+template <auto kMember> inline constexpr auto kMemberName = member_name<kMember>();
+
+/// Builders of the lists: field::length<&HalfSpace::offset>. The key is the member's name.
 namespace field {
 
-template <Kind kKind, Mirrored kMirrored = Mirrored::Kept> struct Of {
-  template <class Owner, class Value>
-  constexpr Field<Owner, Value> operator()(const char* key, Value Owner::*member) const {
-    const Presence presence = kIsOptional<Value> ? Presence::WhereSet : Presence::Needed;
-    return {key, member, kKind, presence, kMirrored};
-  }
-};
-inline constexpr Of<Kind::Exact> exact;
-inline constexpr Of<Kind::Length> length;
-inline constexpr Of<Kind::Area> area;
-inline constexpr Of<Kind::Position> position;
-inline constexpr Of<Kind::Direction> direction;
-inline constexpr Of<Kind::Direction, Mirrored::Negated> direction_to_b;  // points from a to b
-inline constexpr Of<Kind::Rotation> rotation;
-inline constexpr Of<Kind::Ratio> ratio;
-inline constexpr Of<Kind::Impulse> impulse;
-inline constexpr Of<Kind::Velocity> velocity;
-inline constexpr Of<Kind::Spin> spin;
-inline constexpr Of<Kind::Energy> energy;
+template <class Owner, class Value>
+constexpr Field<Owner, Value> of(const char* key, Value Owner::*member, Kind kind) {
+  return {key, member, kind, kIsOptional<Value> ? Presence::WhereSet : Presence::Needed};
+}
+template <auto kMember, Kind kKind>
+inline constexpr auto named = of(kMemberName<kMember>.data(), kMember, kKind);
+
+template <auto kMember> inline constexpr auto exact = named<kMember, Kind::Exact>;
+template <auto kMember> inline constexpr auto length = named<kMember, Kind::Length>;
+template <auto kMember> inline constexpr auto area = named<kMember, Kind::Area>;
+template <auto kMember> inline constexpr auto position = named<kMember, Kind::Position>;
+template <auto kMember> inline constexpr auto direction = named<kMember, Kind::Direction>;
+template <auto kMember> inline constexpr auto direction_to_b = direction<kMember>.negated();
+template <auto kMember> inline constexpr auto rotation = named<kMember, Kind::Rotation>;
+template <auto kMember> inline constexpr auto ratio = named<kMember, Kind::Ratio>;
+template <auto kMember> inline constexpr auto impulse = named<kMember, Kind::Impulse>;
+template <auto kMember> inline constexpr auto velocity = named<kMember, Kind::Velocity>;
+template <auto kMember> inline constexpr auto spin = named<kMember, Kind::Spin>;
+template <auto kMember> inline constexpr auto energy = named<kMember, Kind::Energy>;
 /// "face_a", "face_b", "edge_edge", "closest_points".
-inline constexpr Of<Kind::Exact, Mirrored::AxisRenamed> axis;
+template <auto kMember> inline constexpr auto axis = exact<kMember>.mirror(Mirrored::AxisRenamed);
 /// A struct with fields of its own, also in an std::optional.
-inline constexpr Of<Kind::Exact> fact;
+template <auto kMember> inline constexpr auto fact = exact<kMember>;
 /// A list of such structs. Those with a name() are written as an object, keyed by name.
-inline constexpr Of<Kind::Exact> facts;
+template <auto kMember> inline constexpr auto facts = exact<kMember>;
 
 /// A struct whose keys are written into its owner's object.
 template <class Owner, class Value> constexpr auto merged(Value Owner::*member) {
-  return fact("", member).with(&Field<Owner, Value>::is_merged, true);
+  return of("", member, Kind::Exact).with(&Field<Owner, Value>::is_merged, true);
 }
 /// The key under which its struct is stored in an object.
 template <class Owner, class Value> constexpr auto name(Value Owner::*member) {
-  return exact("name", member).names().with(&Field<Owner, Value>::is_object_key, true);
+  return of("name", member, Kind::Exact).names().with(&Field<Owner, Value>::is_object_key, true);
 }
 
 /// Fields in order, as a function that calls `visit` with each. A std::tuple of them takes the compiler

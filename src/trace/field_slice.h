@@ -28,14 +28,13 @@ struct FieldSlice {
 
   static constexpr auto fields() {
     using F = FieldSlice;
-    return field::list(field::name(&F::name), field::exact("cell", &F::cell),
-                       field::position("origin", &F::origin).says("origin of the slice"),
-                       field::position("next", &F::next).says("way to the next value"),
-                       field::position("next_row", &F::next_row).says("way to the next row"),
-                       field::exact("columns", &F::columns),
-                       field::length("distances", &F::distances).says("distance"),
-                       field::exact("band", &F::band).says("band cell"),
-                       field::exact("exact", &F::exact).where_set().says("exact cell"));
+    return field::list(field::name(&F::name), field::exact<&F::cell>,
+                       field::position<&F::origin>.says("origin of the slice"),
+                       field::position<&F::next>.says("way to the next value"),
+                       field::position<&F::next_row>.says("way to the next row"),
+                       field::exact<&F::columns>, field::length<&F::distances>.says("distance"),
+                       field::exact<&F::band>.says("band cell"),
+                       field::exact<&F::exact>.where_set().says("exact cell"));
   }
   friend bool operator==(const FieldSlice&, const FieldSlice&) = default;
 };
@@ -46,8 +45,8 @@ struct FieldProbe {
   double separation = 0;           // metres: the distance there, minus the radius of a round shape
 
   static constexpr auto fields() {
-    return field::list(field::position("position", &FieldProbe::position).says("asked point"),
-                       field::length("separation", &FieldProbe::separation));
+    return field::list(field::position<&FieldProbe::position>.says("asked point"),
+                       field::length<&FieldProbe::separation>);
   }
   friend bool operator==(const FieldProbe&, const FieldProbe&) = default;
 };
@@ -58,9 +57,8 @@ struct FieldProbes {
   std::vector<FieldProbe> probes;  // in the order of the queries
 
   static constexpr auto fields() {
-    return field::list(
-        field::exact("method", &FieldProbes::method),
-        field::facts("probes", &FieldProbes::probes).entries("asked point", "asked points"));
+    return field::list(field::exact<&FieldProbes::method>,
+                       field::facts<&FieldProbes::probes>.entries("asked point", "asked points"));
   }
   friend bool operator==(const FieldProbes&, const FieldProbes&) = default;
 };

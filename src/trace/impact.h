@@ -17,9 +17,8 @@ struct Travel {
   Vec3d turn = Vec3d::Zero();          // axis times radians over the whole step, world
 
   static constexpr auto fields() {
-    return field::list(field::position("pivot", &Travel::pivot),
-                       field::position("displacement", &Travel::displacement),
-                       field::ratio("turn", &Travel::turn));
+    return field::list(field::position<&Travel::pivot>, field::position<&Travel::displacement>,
+                       field::ratio<&Travel::turn>);
   }
   friend bool operator==(const Travel&, const Travel&) = default;
 };
@@ -35,11 +34,9 @@ struct ImpactStep {
 
   static constexpr auto fields() {
     using I = ImpactStep;
-    return field::list(field::ratio("time", &I::time), field::length("distance", &I::distance),
-                       field::direction_to_b("axis", &I::axis),
-                       field::ratio("bracket_end", &I::bracket_end),
-                       field::length("bracket_separation", &I::bracket_separation),
-                       field::ratio("safe", &I::safe));
+    return field::list(field::ratio<&I::time>, field::length<&I::distance>,
+                       field::direction_to_b<&I::axis>, field::ratio<&I::bracket_end>,
+                       field::length<&I::bracket_separation>, field::ratio<&I::safe>);
   }
   friend bool operator==(const ImpactStep&, const ImpactStep&) = default;
 };
@@ -50,8 +47,7 @@ struct DistanceAt {
   double distance = 0;  // metres; 0 if they overlap
 
   static constexpr auto fields() {
-    return field::list(field::ratio("time", &DistanceAt::time),
-                       field::length("distance", &DistanceAt::distance));
+    return field::list(field::ratio<&DistanceAt::time>, field::length<&DistanceAt::distance>);
   }
   friend bool operator==(const DistanceAt&, const DistanceAt&) = default;
 };
@@ -79,21 +75,19 @@ struct Impact {
   static constexpr auto fields() {
     using I = Impact;
     return field::list(
-        field::exact("method", &I::method), field::exact("status", &I::status),
-        field::ratio("time", &I::time), field::length("distance", &I::distance),
-        field::direction_to_b("normal", &I::normal).where_set(),
-        field::position("point_a", &I::point_a).swaps(&I::point_b).where_set().says("point of a"),
-        field::position("point_b", &I::point_b).where_set().says("point of b"),
-        field::exact("triangle", &I::triangle).where_set(),
-        field::exact("triangle_a", &I::triangle_a).swaps(&I::triangle_b).where_set(),
-        field::exact("triangle_b", &I::triangle_b).where_set(),
-        field::position("corners_a", &I::corners_a).swaps(&I::corners_b).where_set().says(""),
-        field::position("corners_b", &I::corners_b).where_set().says(""),
-        field::fact("travel_a", &I::travel_a).swaps(&I::travel_b),
-        field::fact("travel_b", &I::travel_b), field::length("margin", &I::margin).where_set(),
-        field::position("ghosts", &I::ghosts).where_set().says(""),
-        field::facts("distances", &I::distances).where_set().entries("distance"),
-        field::facts("steps", &I::steps).entries("step of the search"));
+        field::exact<&I::method>, field::exact<&I::status>, field::ratio<&I::time>,
+        field::length<&I::distance>, field::direction_to_b<&I::normal>.where_set(),
+        field::position<&I::point_a>.swaps(&I::point_b).where_set().says("point of a"),
+        field::position<&I::point_b>.where_set().says("point of b"),
+        field::exact<&I::triangle>.where_set(),
+        field::exact<&I::triangle_a>.swaps(&I::triangle_b).where_set(),
+        field::exact<&I::triangle_b>.where_set(),
+        field::position<&I::corners_a>.swaps(&I::corners_b).where_set().says(""),
+        field::position<&I::corners_b>.where_set().says(""),
+        field::fact<&I::travel_a>.swaps(&I::travel_b), field::fact<&I::travel_b>,
+        field::length<&I::margin>.where_set(), field::position<&I::ghosts>.where_set().says(""),
+        field::facts<&I::distances>.where_set().entries("distance"),
+        field::facts<&I::steps>.entries("step of the search"));
   }
   friend bool operator==(const Impact&, const Impact&) = default;
 };

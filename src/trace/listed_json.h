@@ -17,7 +17,7 @@
 
 /// JSON of structs that list their fields. Reports are read here as well; traces, which are large,
 /// by read_trace.h. A member function in a list of fields gives a value that is written and not
-/// read: `field::exact("fails", &Finding::fails)`.
+/// read: `field::exact<&Finding::fails>`.
 namespace contactscope::trace {
 
 using Json = nlohmann::ordered_json;  // keeps the order of the lists

@@ -16,9 +16,8 @@ struct SimplexVertex {
   Vec3d b = Vec3d::Zero();
 
   static constexpr auto fields() {
-    return field::list(
-        field::position("a", &SimplexVertex::a).swaps(&SimplexVertex::b).says("vertex"),
-        field::position("b", &SimplexVertex::b).says("vertex"));
+    return field::list(field::position<&SimplexVertex::a>.swaps(&SimplexVertex::b).says("vertex"),
+                       field::position<&SimplexVertex::b>.says("vertex"));
   }
   friend bool operator==(const SimplexVertex&, const SimplexVertex&) = default;
 };
@@ -34,12 +33,11 @@ struct Gjk {
   std::vector<Simplex> steps;  // the simplex after each iteration
 
   static constexpr auto fields() {
-    return field::list(
-        field::exact("status", &Gjk::status), field::exact("iterations", &Gjk::iterations),
-        field::length("distance", &Gjk::distance),
-        field::position("point_a", &Gjk::point_a).swaps(&Gjk::point_b).says("point on a"),
-        field::position("point_b", &Gjk::point_b).says("point on b"),
-        field::facts("steps", &Gjk::steps).entries("gjk step", "steps"));
+    return field::list(field::exact<&Gjk::status>, field::exact<&Gjk::iterations>,
+                       field::length<&Gjk::distance>,
+                       field::position<&Gjk::point_a>.swaps(&Gjk::point_b).says("point on a"),
+                       field::position<&Gjk::point_b>.says("point on b"),
+                       field::facts<&Gjk::steps>.entries("gjk step", "steps"));
   }
 };
 
@@ -52,13 +50,10 @@ struct Polytope {
 
   static constexpr auto fields() {
     return field::list(
-        field::position("vertices", &Polytope::vertices).says(""),
-        field::exact("faces", &Polytope::faces).into("vertices").rewound().says("face"),
-        field::exact("nearest", &Polytope::nearest)
-            .into("faces", "faces of the polytope")
-            .or_none()
-            .says("nearest face"),
-        field::length("distance", &Polytope::distance));
+        field::position<&Polytope::vertices>.says(""),
+        field::exact<&Polytope::faces>.into("vertices").rewound().says("face"),
+        field::exact<&Polytope::nearest>.into("faces", "faces of the polytope").or_none().says("nearest face"),
+        field::length<&Polytope::distance>);
   }
   friend bool operator==(const Polytope&, const Polytope&) = default;
 };
@@ -68,8 +63,8 @@ struct SampledDirection {
   double separation = 0;         // metres along it, negative = overlap
 
   static constexpr auto fields() {
-    return field::list(field::direction_to_b("normal", &SampledDirection::normal),
-                       field::length("separation", &SampledDirection::separation));
+    return field::list(field::direction_to_b<&SampledDirection::normal>,
+                       field::length<&SampledDirection::separation>);
   }
   friend bool operator==(const SampledDirection&, const SampledDirection&) = default;
 };
@@ -90,16 +85,14 @@ struct Penetration {
 
   static constexpr auto fields() {
     using P = Penetration;
-    return field::list(
-        field::exact("method", &P::method), field::exact("status", &P::status),
-        field::exact("fallback", &P::fallback).where_set(),
-        field::exact("iterations", &P::iterations), field::length("depth", &P::depth),
-        field::direction_to_b("normal", &P::normal),
-        field::position("point_a", &P::point_a).swaps(&P::point_b).says("point on a"),
-        field::position("point_b", &P::point_b).says("point on b"),
-        field::facts("polytopes", &P::polytopes).where_set().entries("polytope"),
-        field::facts("portals", &P::portals).where_set().entries("portal"),
-        field::facts("directions", &P::directions).where_set().entries("direction"));
+    return field::list(field::exact<&P::method>, field::exact<&P::status>,
+                       field::exact<&P::fallback>.where_set(), field::exact<&P::iterations>,
+                       field::length<&P::depth>, field::direction_to_b<&P::normal>,
+                       field::position<&P::point_a>.swaps(&P::point_b).says("point on a"),
+                       field::position<&P::point_b>.says("point on b"),
+                       field::facts<&P::polytopes>.where_set().entries("polytope"),
+                       field::facts<&P::portals>.where_set().entries("portal"),
+                       field::facts<&P::directions>.where_set().entries("direction"));
   }
 };
 
@@ -110,9 +103,8 @@ struct Minkowski {
   std::vector<std::vector<int>> faces;  // counter-clockwise seen from outside
 
   static constexpr auto fields() {
-    return field::list(
-        field::position("vertices", &Minkowski::vertices).negated().says(""),
-        field::exact("faces", &Minkowski::faces).into("vertices").rewound().says("face"));
+    return field::list(field::position<&Minkowski::vertices>.negated().says(""),
+                       field::exact<&Minkowski::faces>.into("vertices").rewound().says("face"));
   }
   friend bool operator==(const Minkowski&, const Minkowski&) = default;
 };

@@ -28,9 +28,9 @@ struct Measure {
   double value = 0;                   // metres; square metres, with a sign, for areas
 
   static constexpr auto fields() {
-    return field::list(field::exact("point", &Measure::point).into("points"),
-                       field::exact("edge", &Measure::edge).into("points").where_set(),
-                       field::area("value", &Measure::value));
+    return field::list(field::exact<&Measure::point>.into("points"),
+                       field::exact<&Measure::edge>.into("points").where_set(),
+                       field::area<&Measure::value>);
   }
 };
 
@@ -45,9 +45,9 @@ struct Choice {
   }
 
   static constexpr auto fields() {
-    return field::list(field::exact("rule", &Choice::rule),
-                       field::direction("direction", &Choice::direction).where_set(),
-                       field::facts("measures", &Choice::measures).entries("measure"));
+    return field::list(field::exact<&Choice::rule>,
+                       field::direction<&Choice::direction>.where_set(),
+                       field::facts<&Choice::measures>.entries("measure"));
   }
 };
 
@@ -61,13 +61,12 @@ struct Reduction {
   std::vector<Choice> choices;  // for each kept point, if the method has such steps
 
   static constexpr auto fields() {
-    return field::list(field::exact("method", &Reduction::method),
-                       field::facts("points", &Reduction::points).entries("reduction point"),
-                       field::exact("kept", &Reduction::kept).into("points"),
-                       field::area("area", &Reduction::area),
-                       field::area("best_area", &Reduction::best_area),
-                       field::exact("best", &Reduction::best).into("points").where_set(),
-                       field::facts("choices", &Reduction::choices).where_set().entries("choice"));
+    return field::list(field::exact<&Reduction::method>,
+                       field::facts<&Reduction::points>.entries("reduction point"),
+                       field::exact<&Reduction::kept>.into("points"), field::area<&Reduction::area>,
+                       field::area<&Reduction::best_area>,
+                       field::exact<&Reduction::best>.into("points").where_set(),
+                       field::facts<&Reduction::choices>.where_set().entries("choice"));
   }
 };
 
@@ -78,8 +77,7 @@ struct MergedManifold {
 
   static constexpr auto fields() {
     using M = MergedManifold;
-    return field::list(field::exact("triangles", &M::triangles),
-                       field::exact("points", &M::points));
+    return field::list(field::exact<&M::triangles>, field::exact<&M::points>);
   }
 };
 
@@ -88,7 +86,7 @@ struct Merge {
   std::vector<MergedManifold> manifolds;  // in the order of Pair::manifolds
 
   static constexpr auto fields() {
-    return field::list(field::facts("manifolds", &Merge::manifolds).entries("merged manifold"));
+    return field::list(field::facts<&Merge::manifolds>.entries("merged manifold"));
   }
 };
 
@@ -105,10 +103,9 @@ struct Cache {
   std::optional<double> moved;
 
   static constexpr auto fields() {
-    return field::list(
-        field::exact("hit", &Cache::hit).says("").called("miss", "hit"),
-        field::exact("kind", &Cache::kind), field::axis("axis", &Cache::axis).optional(),
-        field::direction_to_b("normal", &Cache::normal), field::length("moved", &Cache::moved));
+    return field::list(field::exact<&Cache::hit>.says("").called("miss", "hit"),
+                       field::exact<&Cache::kind>, field::axis<&Cache::axis>.optional(),
+                       field::direction_to_b<&Cache::normal>, field::length<&Cache::moved>);
   }
 };
 
@@ -124,9 +121,8 @@ struct PersistentPoint {
 
   static constexpr auto fields() {
     using P = PersistentPoint;
-    return field::list(field::merged(&P::point), field::exact("state", &P::state),
-                       field::exact("reason", &P::reason).where_set(),
-                       field::exact("age", &P::age));
+    return field::list(field::merged(&P::point), field::exact<&P::state>,
+                       field::exact<&P::reason>.where_set(), field::exact<&P::age>);
   }
 };
 
@@ -139,11 +135,10 @@ struct Incremental {
 
   static constexpr auto fields() {
     using I = Incremental;
-    return field::list(
-        field::exact("confirm", &I::confirm), field::exact("query", &I::query),
-        field::length("margin_a", &I::margin_a).swaps(&I::margin_b).says("margin of a"),
-        field::length("margin_b", &I::margin_b).says("margin of b"),
-        field::facts("points", &I::points).entries("persistent point"));
+    return field::list(field::exact<&I::confirm>, field::exact<&I::query>,
+                       field::length<&I::margin_a>.swaps(&I::margin_b).says("margin of a"),
+                       field::length<&I::margin_b>.says("margin of b"),
+                       field::facts<&I::points>.entries("persistent point"));
   }
 };
 
@@ -160,12 +155,10 @@ struct Stability {
 
   static constexpr auto fields() {
     using S = Stability;
-    return field::list(field::exact("shape", &S::shape),
-                       field::position("center_of_mass", &S::center_of_mass).says("centre of mass"),
-                       field::position("projection", &S::projection),
-                       field::position("support", &S::support), field::length("margin", &S::margin),
-                       field::exact("verdict", &S::verdict).reported_first(),
-                       field::position("axis", &S::axis));
+    return field::list(
+        field::exact<&S::shape>, field::position<&S::center_of_mass>.says("centre of mass"),
+        field::position<&S::projection>, field::position<&S::support>, field::length<&S::margin>,
+        field::exact<&S::verdict>.reported_first(), field::position<&S::axis>);
   }
 };
 
@@ -175,8 +168,8 @@ struct Box {
   Vec3d upper = Vec3d::Zero();
 
   static constexpr auto fields() {
-    return field::list(field::position("lower", &Box::lower).says("lower corner of the box"),
-                       field::position("upper", &Box::upper).says("upper corner of the box"));
+    return field::list(field::position<&Box::lower>.says("lower corner of the box"),
+                       field::position<&Box::upper>.says("upper corner of the box"));
   }
   friend bool operator==(const Box&, const Box&) = default;
 };
@@ -189,9 +182,8 @@ struct TreeVisit {
   bool overlaps = false;  // with the query's box; the query then continues below
 
   static constexpr auto fields() {
-    return field::list(
-        field::fact("box", &TreeVisit::box), field::exact("depth", &TreeVisit::depth),
-        field::exact("leaf", &TreeVisit::leaf), field::exact("overlaps", &TreeVisit::overlaps));
+    return field::list(field::fact<&TreeVisit::box>, field::exact<&TreeVisit::depth>,
+                       field::exact<&TreeVisit::leaf>, field::exact<&TreeVisit::overlaps>);
   }
   friend bool operator==(const TreeVisit&, const TreeVisit&) = default;
 };
@@ -204,10 +196,9 @@ struct Tree {
   std::vector<int> candidates;  // triangles whose boxes touch the query's
 
   static constexpr auto fields() {
-    return field::list(field::exact("shape", &Tree::shape).says("of"),
-                       field::fact("box", &Tree::box),
-                       field::facts("visits", &Tree::visits).entries("tree box", "boxes"),
-                       field::exact("candidates", &Tree::candidates));
+    return field::list(field::exact<&Tree::shape>.says("of"), field::fact<&Tree::box>,
+                       field::facts<&Tree::visits>.entries("tree box", "boxes"),
+                       field::exact<&Tree::candidates>);
   }
 };
 
@@ -217,8 +208,7 @@ struct Degenerate {
   std::string answer;    // "fallback": a normal was chosen; "skip": no contact was created
 
   static constexpr auto fields() {
-    return field::list(field::exact("geometry", &Degenerate::geometry),
-                       field::exact("answer", &Degenerate::answer));
+    return field::list(field::exact<&Degenerate::geometry>, field::exact<&Degenerate::answer>);
   }
   friend bool operator==(const Degenerate&, const Degenerate&) = default;
 };
@@ -232,10 +222,9 @@ struct Voided {
   std::vector<Point> points;
 
   static constexpr auto fields() {
-    return field::list(field::exact("shape", &Voided::shape).says("of"),
-                       field::exact("reason", &Voided::reason),
-                       field::direction_to_b("normal", &Voided::normal),
-                       field::facts("points", &Voided::points).entries("point"));
+    return field::list(field::exact<&Voided::shape>.says("of"), field::exact<&Voided::reason>,
+                       field::direction_to_b<&Voided::normal>,
+                       field::facts<&Voided::points>.entries("point"));
   }
 };
 
@@ -306,34 +295,31 @@ struct Pair {
 
   static constexpr auto fields() {
     return field::list(
-        field::exact("a", &Pair::a).swaps(&Pair::b).names(), field::exact("b", &Pair::b).names(),
-        field::exact("label", &Pair::label).where_set().names(),
-        field::exact("kind", &Pair::kind).optional().mirror(Mirrored::KindTurned),
-        field::exact("state", &Pair::state).optional().says(""),
+        field::exact<&Pair::a>.swaps(&Pair::b).names(), field::exact<&Pair::b>.names(),
+        field::exact<&Pair::label>.where_set().names(),
+        field::exact<&Pair::kind>.optional().mirror(Mirrored::KindTurned),
+        field::exact<&Pair::state>.optional().says(""),
         // Reported last because it mostly repeats a point's separation.
-        field::length("separation", &Pair::separation)
-            .otherwise_by(&Pair::mark_missing)
-            .reported_last(),
-        field::facts("manifolds", &Pair::manifolds).entries("manifold"),  //
-        field::fact("sat", &Pair::sat).called("sat"),                     //
-        field::fact("clip", &Pair::clip).called("clip"),
-        field::fact("reduction", &Pair::reduction).called("reduction"),
-        field::fact("gjk", &Pair::gjk).called("gjk"),     //
-        field::fact("tree", &Pair::tree).called("tree"),  //
-        field::fact("merge", &Pair::merge).called("merge"),
-        field::fact("voided", &Pair::voided).called("voided contact"),
-        field::fact("degenerate", &Pair::degenerate).called("degenerate"),
-        field::fact("cache", &Pair::cache).called("cache"),
-        field::fact("penetration", &Pair::penetration).called("penetration"),
-        field::fact("minkowski", &Pair::minkowski).called("minkowski"),
-        field::fact("incremental", &Pair::incremental).called("incremental"),
-        field::fact("stability", &Pair::stability).called("stability"),
-        field::exact("overlap", &Pair::overlap), field::fact("query", &Pair::query).called("query"),
-        field::facts("intersections", &Pair::intersections).where_set().entries("intersection"),
-        field::fact("impact", &Pair::impact).called("impact"),
-        field::fact("field_probes", &Pair::field_probes).called("field probes"),
-        field::facts("decisions", &Pair::decisions).where_set().entries("decision"),
-        field::fact("flip", &Pair::flip).called("flip"));
+        field::length<&Pair::separation>.otherwise_by(&Pair::mark_missing).reported_last(),
+        field::facts<&Pair::manifolds>.entries("manifold"),  //
+        field::fact<&Pair::sat>.called("sat"),               //
+        field::fact<&Pair::clip>.called("clip"), field::fact<&Pair::reduction>.called("reduction"),
+        field::fact<&Pair::gjk>.called("gjk"),    //
+        field::fact<&Pair::tree>.called("tree"),  //
+        field::fact<&Pair::merge>.called("merge"),
+        field::fact<&Pair::voided>.called("voided contact"),
+        field::fact<&Pair::degenerate>.called("degenerate"),
+        field::fact<&Pair::cache>.called("cache"),
+        field::fact<&Pair::penetration>.called("penetration"),
+        field::fact<&Pair::minkowski>.called("minkowski"),
+        field::fact<&Pair::incremental>.called("incremental"),
+        field::fact<&Pair::stability>.called("stability"), field::exact<&Pair::overlap>,
+        field::fact<&Pair::query>.called("query"),
+        field::facts<&Pair::intersections>.where_set().entries("intersection"),
+        field::fact<&Pair::impact>.called("impact"),
+        field::fact<&Pair::field_probes>.called("field probes"),
+        field::facts<&Pair::decisions>.where_set().entries("decision"),
+        field::fact<&Pair::flip>.called("flip"));
   }
 };
 

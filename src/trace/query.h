@@ -19,10 +19,10 @@ struct Volume {
   std::optional<double> radius{};       // metres, for a ball
 
   static constexpr auto fields() {
-    return field::list(field::position("center", &Volume::center).says("middle"),
-                       field::length("half_extents", &Volume::half_extents),
-                       field::rotation("quat_wxyz", &Volume::rotation).says("rotation"),
-                       field::length("radius", &Volume::radius));
+    return field::list(field::position<&Volume::center>.says("middle"),
+                       field::length<&Volume::half_extents>,
+                       field::rotation<&Volume::rotation>.keyed("quat_wxyz").says("rotation"),
+                       field::length<&Volume::radius>);
   }
   friend bool operator==(const Volume&, const Volume&) = default;
 };
@@ -43,19 +43,13 @@ struct TestedAxis {
 
   static constexpr auto fields() {
     using A = TestedAxis;
-    return field::list(field::axis("kind", &A::kind),
-                       field::exact("a", &A::a).swaps(&A::b).where_set().says("axis of a"),
-                       field::exact("b", &A::b).where_set().says("axis of b"),
-                       field::direction_to_b("direction", &A::direction).where_set(),
-                       field::ratio("length", &A::length).optional(),
-                       field::length("interval_a", &A::interval_a)
-                           .negated()
-                           .swaps(&A::interval_b)
-                           .says("interval of a"),
-                       field::length("interval_b", &A::interval_b).negated().says("interval of b"),
-                       field::length("gap", &A::gap),
-                       field::exact("skipped", &A::skipped).where_set(),
-                       field::exact("separates", &A::separates).where_set());
+    return field::list(
+        field::axis<&A::kind>, field::exact<&A::a>.swaps(&A::b).where_set().says("axis of a"),
+        field::exact<&A::b>.where_set().says("axis of b"),
+        field::direction_to_b<&A::direction>.where_set(), field::ratio<&A::length>.optional(),
+        field::length<&A::interval_a>.negated().swaps(&A::interval_b).says("interval of a"),
+        field::length<&A::interval_b>.negated().says("interval of b"), field::length<&A::gap>,
+        field::exact<&A::skipped>.where_set(), field::exact<&A::separates>.where_set());
   }
   friend bool operator==(const TestedAxis&, const TestedAxis&) = default;
 };
@@ -67,8 +61,7 @@ struct WithinBounds {
   std::optional<double> gap{};  // metres, as in Query
 
   static constexpr auto fields() {
-    return field::list(field::exact("overlap", &WithinBounds::overlap),
-                       field::length("gap", &WithinBounds::gap));
+    return field::list(field::exact<&WithinBounds::overlap>, field::length<&WithinBounds::gap>);
   }
   friend bool operator==(const WithinBounds&, const WithinBounds&) = default;
 };
@@ -81,8 +74,8 @@ struct Containment {
   std::string b;
 
   static constexpr auto fields() {
-    return field::list(field::exact("a", &Containment::a).swaps(&Containment::b).says("a is"),
-                       field::exact("b", &Containment::b).says("b is"));
+    return field::list(field::exact<&Containment::a>.swaps(&Containment::b).says("a is"),
+                       field::exact<&Containment::b>.says("b is"));
   }
   friend bool operator==(const Containment&, const Containment&) = default;
 };
@@ -94,9 +87,8 @@ struct TreeCounts {
   int triangle_pairs = 0;  // triangles that were compared
 
   static constexpr auto fields() {
-    return field::list(field::exact("node_pairs", &TreeCounts::node_pairs),
-                       field::exact("leaf_pairs", &TreeCounts::leaf_pairs),
-                       field::exact("triangle_pairs", &TreeCounts::triangle_pairs));
+    return field::list(field::exact<&TreeCounts::node_pairs>, field::exact<&TreeCounts::leaf_pairs>,
+                       field::exact<&TreeCounts::triangle_pairs>);
   }
   friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
 };
@@ -113,10 +105,10 @@ struct NodePair {
 
   static constexpr auto fields() {
     using N = NodePair;
-    return field::list(field::exact("before_a", &N::before_a).swaps(&N::before_b),
-                       field::exact("count_a", &N::count_a).swaps(&N::count_b),
-                       field::exact("before_b", &N::before_b), field::exact("count_b", &N::count_b),
-                       field::exact("overlaps", &N::overlaps), field::exact("leaves", &N::leaves));
+    return field::list(field::exact<&N::before_a>.swaps(&N::before_b),
+                       field::exact<&N::count_a>.swaps(&N::count_b), field::exact<&N::before_b>,
+                       field::exact<&N::count_b>, field::exact<&N::overlaps>,
+                       field::exact<&N::leaves>);
   }
   friend bool operator==(const NodePair&, const NodePair&) = default;
 };
@@ -133,13 +125,10 @@ struct Intersection {
   static constexpr auto fields() {
     using I = Intersection;
     return field::list(
-        field::exact("a", &I::a).swaps(&I::b).names(), field::exact("b", &I::b).names(),
-        field::exact("kind", &I::kind), field::position("segment", &I::segment),
-        field::exact("a_degenerate", &I::a_degenerate)
-            .where_set()
-            .swaps(&I::b_degenerate)
-            .says("a without area"),
-        field::exact("b_degenerate", &I::b_degenerate).where_set().says("b without area"));
+        field::exact<&I::a>.swaps(&I::b).names(), field::exact<&I::b>.names(),
+        field::exact<&I::kind>, field::position<&I::segment>,
+        field::exact<&I::a_degenerate>.where_set().swaps(&I::b_degenerate).says("a without area"),
+        field::exact<&I::b_degenerate>.where_set().says("b without area"));
   }
   friend bool operator==(const Intersection&, const Intersection&) = default;
 };
@@ -170,23 +159,19 @@ struct Query {
   static constexpr auto fields() {
     using Q = Query;
     return field::list(
-        field::exact("asked", &Q::requested), field::exact("bounds", &Q::bounds).where_set(),
-        field::exact("comparison", &Q::comparison).optional(),
-        field::exact("tolerance", &Q::tolerance).where_set(),
-        field::exact("test", &Q::test).where_set(),
-        field::exact("skip_up_to", &Q::skip_up_to).where_set(),
-        field::exact("method", &Q::method).optional(),
-        field::exact("touching", &Q::touching).says("touching"), field::length("gap", &Q::gap),
-        field::direction_to_b("normal", &Q::normal),
-        field::position("point_a", &Q::point_a).swaps(&Q::point_b).says("point on a"),
-        field::position("point_b", &Q::point_b).says("point on b"),
-        field::fact("bounds_a", &Q::bounds_a).swaps(&Q::bounds_b).called("bounds of a"),
-        field::fact("bounds_b", &Q::bounds_b).called("bounds of b"),
-        field::facts("axes", &Q::axes).where_set().entries("tested axis", "tested axes"),
-        field::fact("shapes", &Q::shapes).called("shapes within the bounds"),
-        field::fact("containment", &Q::containment).called("containment"),
-        field::fact("trees", &Q::trees).called("trees"),
-        field::facts("node_pairs", &Q::node_pairs).where_set().entries("node pair", "node pairs"));
+        field::exact<&Q::requested>.keyed("asked"), field::exact<&Q::bounds>.where_set(),
+        field::exact<&Q::comparison>.optional(), field::exact<&Q::tolerance>.where_set(),
+        field::exact<&Q::test>.where_set(), field::exact<&Q::skip_up_to>.where_set(),
+        field::exact<&Q::method>.optional(), field::exact<&Q::touching>.says("touching"),
+        field::length<&Q::gap>, field::direction_to_b<&Q::normal>,
+        field::position<&Q::point_a>.swaps(&Q::point_b).says("point on a"),
+        field::position<&Q::point_b>.says("point on b"),
+        field::fact<&Q::bounds_a>.swaps(&Q::bounds_b).called("bounds of a"),
+        field::fact<&Q::bounds_b>.called("bounds of b"),
+        field::facts<&Q::axes>.where_set().entries("tested axis", "tested axes"),
+        field::fact<&Q::shapes>.called("shapes within the bounds"),
+        field::fact<&Q::containment>.called("containment"), field::fact<&Q::trees>.called("trees"),
+        field::facts<&Q::node_pairs>.where_set().entries("node pair", "node pairs"));
   }
 };
 

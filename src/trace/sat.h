@@ -17,10 +17,9 @@ struct FaceAxis {
   Vec3d support = Vec3d::Zero();  // deepest vertex of the other shape
 
   static constexpr auto fields() {
-    return field::list(
-        field::exact("face", &FaceAxis::face), field::length("separation", &FaceAxis::separation),
-        field::direction_to_b("normal", &FaceAxis::normal).optional(),
-        field::position("support", &FaceAxis::support).optional().says("support point"));
+    return field::list(field::exact<&FaceAxis::face>, field::length<&FaceAxis::separation>,
+                       field::direction_to_b<&FaceAxis::normal>.optional(),
+                       field::position<&FaceAxis::support>.optional().says("support point"));
   }
 };
 
@@ -35,15 +34,11 @@ struct EdgeAxis {
 
   static constexpr auto fields() {
     return field::list(
-        field::exact("a", &EdgeAxis::a).swaps(&EdgeAxis::b).says("edge of a"),
-        field::exact("b", &EdgeAxis::b).says("edge of b"),
-        field::length("separation", &EdgeAxis::separation),
-        field::direction_to_b("normal", &EdgeAxis::normal).optional(),
-        field::position("point_a", &EdgeAxis::point_a)
-            .optional()
-            .swaps(&EdgeAxis::point_b)
-            .says("point on a"),
-        field::position("point_b", &EdgeAxis::point_b).optional().says("point on b"));
+        field::exact<&EdgeAxis::a>.swaps(&EdgeAxis::b).says("edge of a"),
+        field::exact<&EdgeAxis::b>.says("edge of b"), field::length<&EdgeAxis::separation>,
+        field::direction_to_b<&EdgeAxis::normal>.optional(),
+        field::position<&EdgeAxis::point_a>.optional().swaps(&EdgeAxis::point_b).says("point on a"),
+        field::position<&EdgeAxis::point_b>.optional().says("point on b"));
   }
 };
 
@@ -56,10 +51,9 @@ struct EdgePair {
   Vec3d normal = Vec3d::Zero();  // unit, from a to b
 
   static constexpr auto fields() {
-    return field::list(field::exact("a", &EdgePair::a).swaps(&EdgePair::b).names(),
-                       field::exact("b", &EdgePair::b).names(),
-                       field::length("separation", &EdgePair::separation),
-                       field::direction_to_b("normal", &EdgePair::normal));
+    return field::list(field::exact<&EdgePair::a>.swaps(&EdgePair::b).names(),
+                       field::exact<&EdgePair::b>.names(), field::length<&EdgePair::separation>,
+                       field::direction_to_b<&EdgePair::normal>);
   }
   friend bool operator==(const EdgePair&, const EdgePair&) = default;
 };
@@ -73,13 +67,11 @@ struct Sat {
   std::vector<EdgePair> edge_pairs{};  // all that the edge query measured, for the Gauss map
 
   static constexpr auto fields() {
-    return field::list(
-        field::fact("face_a", &Sat::face_a).swaps(&Sat::face_b).called("sat face_a"),
-        field::fact("face_b", &Sat::face_b).called("sat face_b"),
-        field::fact("edge", &Sat::edge).called("sat edge"),  //
-        field::axis("chosen", &Sat::chosen),
-        field::exact("preference", &Sat::preference).optional(),
-        field::facts("edge_pairs", &Sat::edge_pairs).where_set().entries("sat edge pair"));
+    return field::list(field::fact<&Sat::face_a>.swaps(&Sat::face_b).called("sat face_a"),
+                       field::fact<&Sat::face_b>.called("sat face_b"),
+                       field::fact<&Sat::edge>.called("sat edge"),  //
+                       field::axis<&Sat::chosen>, field::exact<&Sat::preference>.optional(),
+                       field::facts<&Sat::edge_pairs>.where_set().entries("sat edge pair"));
   }
 };
 

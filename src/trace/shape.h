@@ -18,8 +18,7 @@ struct HalfSpace {
   double offset = 0;              // metres
 
   static constexpr auto fields() {
-    return field::list(field::direction("normal", &HalfSpace::normal),
-                       field::length("offset", &HalfSpace::offset));
+    return field::list(field::direction<&HalfSpace::normal>, field::length<&HalfSpace::offset>);
   }
   friend bool operator==(const HalfSpace&, const HalfSpace&) = default;
 };
@@ -52,19 +51,14 @@ struct Shape {
   static constexpr auto fields() {
     return field::list(
         field::name(&Shape::name),  //
-        field::exact("type", &Shape::type).optional(),
-        field::position("vertices", &Shape::vertices).says(""),
-        field::exact("faces", &Shape::faces).into("vertices").optional().says("face"),
-        field::exact("edges", &Shape::edges)
-            .into("vertices")
-            .otherwise_by(&Shape::edges_from_faces)
-            .says("edge"),
-        field::position("center_of_mass", &Shape::center_of_mass).optional().says("centre of mass"),
-        field::length("radius", &Shape::radius).where_set(),
-        field::fact("half_space", &Shape::half_space).says("half-space"),
-        field::length("margin", &Shape::margin).where_set(),
-        field::exact("body", &Shape::body).where_set(), field::ratio("friction", &Shape::friction),
-        field::ratio("restitution", &Shape::restitution));
+        field::exact<&Shape::type>.optional(), field::position<&Shape::vertices>.says(""),
+        field::exact<&Shape::faces>.into("vertices").optional().says("face"),
+        field::exact<&Shape::edges>.into("vertices").otherwise_by(&Shape::edges_from_faces).says("edge"),
+        field::position<&Shape::center_of_mass>.optional().says("centre of mass"),
+        field::length<&Shape::radius>.where_set(),
+        field::fact<&Shape::half_space>.says("half-space"),
+        field::length<&Shape::margin>.where_set(), field::exact<&Shape::body>.where_set(),
+        field::ratio<&Shape::friction>, field::ratio<&Shape::restitution>);
   }
 };
 
@@ -75,9 +69,9 @@ struct ImpulseConvention {
   double step = 0;           // seconds; needed for forces
 
   static constexpr auto fields() {
-    return field::list(field::exact("unit", &ImpulseConvention::unit).optional(),
-                       field::exact("on", &ImpulseConvention::on).optional(),
-                       field::exact("step", &ImpulseConvention::step).where_set());
+    return field::list(field::exact<&ImpulseConvention::unit>.optional(),
+                       field::exact<&ImpulseConvention::on>.optional(),
+                       field::exact<&ImpulseConvention::step>.where_set());
   }
   friend bool operator==(const ImpulseConvention&, const ImpulseConvention&) = default;
 };
@@ -88,8 +82,8 @@ struct World {
   double time_step = 0;           // seconds, from frame to frame
 
   static constexpr auto fields() {
-    return field::list(field::exact("gravity", &World::gravity),
-                       field::exact("time_step", &World::time_step).says("time step"));
+    return field::list(field::exact<&World::gravity>,
+                       field::exact<&World::time_step>.says("time step"));
   }
   friend bool operator==(const World&, const World&) = default;
 };
@@ -112,18 +106,16 @@ struct Header {
   std::optional<World> world{};
 
   static constexpr auto fields() {
-    return field::list(field::exact("scenario", &Header::scenario),
-                       field::exact("title", &Header::title).optional(),
-                       field::exact("source", &Header::source).optional(),
-                       field::exact("scalar", &Header::scalar),  //
-                       field::exact("up", &Header::up),          //
-                       field::exact("frames", &Header::frames).optional(),
-                       field::facts("shapes", &Header::shapes).entries("shape"),
-                       field::exact("engine", &Header::engine).where_set(),
-                       field::exact("version", &Header::version).where_set(),
-                       field::exact("poses_at", &Header::poses_at).where_set(),
-                       field::fact("impulses", &Header::impulses).called("convention of impulses"),
-                       field::fact("world", &Header::world).called("world"));
+    return field::list(
+        field::exact<&Header::scenario>, field::exact<&Header::title>.optional(),
+        field::exact<&Header::source>.optional(),
+        field::exact<&Header::scalar>,  //
+        field::exact<&Header::up>,      //
+        field::exact<&Header::frames>.optional(), field::facts<&Header::shapes>.entries("shape"),
+        field::exact<&Header::engine>.where_set(), field::exact<&Header::version>.where_set(),
+        field::exact<&Header::poses_at>.where_set(),
+        field::fact<&Header::impulses>.called("convention of impulses"),
+        field::fact<&Header::world>.called("world"));
   }
 };
 

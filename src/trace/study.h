@@ -23,9 +23,9 @@ struct StudyContext {
 
   static constexpr auto fields() {
     using C = StudyContext;
-    return field::list(field::exact("cpu", &C::cpu), field::exact("compiler", &C::compiler),
-                       field::exact("build_type", &C::build_type), field::exact("date", &C::date),
-                       field::exact("scalar", &C::scalar));
+    return field::list(field::exact<&C::cpu>, field::exact<&C::compiler>,
+                       field::exact<&C::build_type>, field::exact<&C::date>,
+                       field::exact<&C::scalar>);
   }
 };
 
@@ -37,8 +37,7 @@ struct Nanoseconds {
 
   static constexpr auto fields() {
     using N = Nanoseconds;
-    return field::list(field::exact("median", &N::median), field::exact("min", &N::min),
-                       field::exact("max", &N::max));
+    return field::list(field::exact<&N::median>, field::exact<&N::min>, field::exact<&N::max>);
   }
 };
 
@@ -55,11 +54,9 @@ struct StudyPoint {
 
   static constexpr auto fields() {
     using P = StudyPoint;
-    return field::list(field::exact("parameter", &P::parameter),
-                       field::exact("error", &P::error).or_null(),
-                       field::exact("error_worst", &P::error_worst).or_null(),
-                       field::fact("nanoseconds", &P::nanoseconds),
-                       field::exact("failed", &P::failed), field::exact("of", &P::of));
+    return field::list(field::exact<&P::parameter>, field::exact<&P::error>.or_null(),
+                       field::exact<&P::error_worst>.or_null(), field::fact<&P::nanoseconds>,
+                       field::exact<&P::failed>, field::exact<&P::of>);
   }
 };
 
@@ -75,9 +72,9 @@ struct StudySeries {
 
   static constexpr auto fields() {
     using S = StudySeries;
-    return field::list(field::exact("method", &S::method), field::exact("panel", &S::panel),
-                       field::exact("parameter", &S::parameter),
-                       field::exact("row", &S::row).or_null(), field::facts("points", &S::points));
+    return field::list(field::exact<&S::method>, field::exact<&S::panel>,
+                       field::exact<&S::parameter>, field::exact<&S::row>.or_null(),
+                       field::facts<&S::points>);
   }
 };
 
@@ -118,13 +115,12 @@ struct Study {
 
   static constexpr auto fields() {
     using S = Study;
-    return field::list(field::exact("study", &S::study), field::exact("measure", &S::measure),
-                       field::exact("title", &S::title), field::fact("context", &S::context),
-                       field::exact("reference", &S::reference), field::exact("error", &S::error),
-                       field::exact("unit", &S::unit), field::exact("resolution", &S::resolution),
-                       field::exact("parameter", &S::parameter), field::exact("form", &S::form),
-                       field::exact("row", &S::row), field::exact("signal", &S::signal),
-                       field::facts("series", &S::series));
+    return field::list(field::exact<&S::study>, field::exact<&S::measure>, field::exact<&S::title>,
+                       field::fact<&S::context>, field::exact<&S::reference>,
+                       field::exact<&S::error>, field::exact<&S::unit>,
+                       field::exact<&S::resolution>, field::exact<&S::parameter>,
+                       field::exact<&S::form>, field::exact<&S::row>, field::exact<&S::signal>,
+                       field::facts<&S::series>);
   }
 };
 

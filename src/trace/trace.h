@@ -28,14 +28,12 @@ struct Body {
   std::vector<Vec3d> inertia{};
 
   static constexpr auto fields() {
-    return field::list(
-        field::name(&Body::name), field::ratio("mass", &Body::mass),
-        field::position("center_of_mass", &Body::center_of_mass).says("centre of mass"),
-        field::velocity("velocity", &Body::velocity),
-        field::spin("angular_velocity", &Body::angular_velocity),
-        field::energy("kinetic_energy", &Body::kinetic_energy).optional(),
-        field::energy("potential_energy", &Body::potential_energy).optional(),
-        field::exact("asleep", &Body::asleep), field::exact("inertia", &Body::inertia).where_set());
+    return field::list(field::name(&Body::name), field::ratio<&Body::mass>,
+                       field::position<&Body::center_of_mass>.says("centre of mass"),
+                       field::velocity<&Body::velocity>, field::spin<&Body::angular_velocity>,
+                       field::energy<&Body::kinetic_energy>.optional(),
+                       field::energy<&Body::potential_energy>.optional(),
+                       field::exact<&Body::asleep>, field::exact<&Body::inertia>.where_set());
   }
   friend bool operator==(const Body&, const Body&) = default;
 };
@@ -49,10 +47,9 @@ struct Stop {
   bool for_good = false;         // they stay there until the next frame
 
   static constexpr auto fields() {
-    return field::list(field::exact("a", &Stop::a), field::exact("b", &Stop::b),
-                       field::ratio("time", &Stop::time), field::direction("normal", &Stop::normal),
-                       field::position("point", &Stop::point).says("stop"),
-                       field::exact("for_good", &Stop::for_good).where_set());
+    return field::list(field::exact<&Stop::a>, field::exact<&Stop::b>, field::ratio<&Stop::time>,
+                       field::direction<&Stop::normal>, field::position<&Stop::point>.says("stop"),
+                       field::exact<&Stop::for_good>.where_set());
   }
   friend bool operator==(const Stop&, const Stop&) = default;
 };
@@ -72,17 +69,15 @@ struct Solver {
   std::vector<Stop> stops{};  // until the next frame, ordered by time
 
   static constexpr auto fields() {
-    return field::list(
-        field::exact("position_correction", &Solver::position_correction).optional(),
-        field::exact("iterations", &Solver::iterations).optional(),
-        field::exact("substeps", &Solver::substeps).optional().says("sub-steps"),
-        field::exact("warm_start", &Solver::warm_start).optional().called("off", "on"),
-        field::exact("slop", &Solver::slop).optional(),
-        field::exact("speculative_margin", &Solver::speculative_margin).optional(),
-        field::exact("sleep_after", &Solver::sleep_after),
-        field::exact("sleep_speed", &Solver::sleep_speed),
-        field::facts("bodies", &Solver::bodies).entries("body", "bodies").says("body"),
-        field::facts("stops", &Solver::stops).where_set().entries("stop"));
+    return field::list(field::exact<&Solver::position_correction>.optional(),
+                       field::exact<&Solver::iterations>.optional(),
+                       field::exact<&Solver::substeps>.optional().says("sub-steps"),
+                       field::exact<&Solver::warm_start>.optional().called("off", "on"),
+                       field::exact<&Solver::slop>.optional(),
+                       field::exact<&Solver::speculative_margin>.optional(),
+                       field::exact<&Solver::sleep_after>, field::exact<&Solver::sleep_speed>,
+                       field::facts<&Solver::bodies>.entries("body", "bodies").says("body"),
+                       field::facts<&Solver::stops>.where_set().entries("stop"));
   }
   friend bool operator==(const Solver&, const Solver&) = default;
 };
@@ -95,7 +90,7 @@ struct Bounds {
 
   static constexpr auto fields() {
     return field::list(field::name(&Bounds::name), field::merged(&Bounds::box),
-                       field::exact("large", &Bounds::large).where_set());
+                       field::exact<&Bounds::large>.where_set());
   }
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
@@ -108,9 +103,8 @@ struct Cell {
   int tests = 0;    // box pairs with one box in it, or with the node's own box
 
   static constexpr auto fields() {
-    return field::list(field::merged(&Cell::box), field::exact("depth", &Cell::depth).where_set(),
-                       field::exact("members", &Cell::members),
-                       field::exact("tests", &Cell::tests));
+    return field::list(field::merged(&Cell::box), field::exact<&Cell::depth>.where_set(),
+                       field::exact<&Cell::members>, field::exact<&Cell::tests>);
   }
   friend bool operator==(const Cell&, const Cell&) = default;
 };
@@ -126,9 +120,8 @@ struct EndSwap {
 
   static constexpr auto fields() {
     using E = EndSwap;
-    return field::list(field::exact("axis", &E::axis), field::exact("place", &E::place),
-                       field::exact("lower", &E::lower), field::exact("upper", &E::upper),
-                       field::exact("meets", &E::meets), field::exact("counts", &E::counts));
+    return field::list(field::exact<&E::axis>, field::exact<&E::place>, field::exact<&E::lower>,
+                       field::exact<&E::upper>, field::exact<&E::meets>, field::exact<&E::counts>);
   }
   friend bool operator==(const EndSwap&, const EndSwap&) = default;
 };
@@ -146,13 +139,12 @@ struct Deformed {
 
   static constexpr auto fields() {
     using D = Deformed;
-    return field::list(field::name(&D::name), field::position("vertices", &D::vertices).says(""),
-                       field::exact("tree", &D::tree).optional(),
-                       field::ratio("cost", &D::cost).optional().says("cost of the tree"),
-                       field::ratio("cost_when_built", &D::cost_when_built)
-                           .optional()
-                           .says("cost of the tree when built"),
-                       field::facts("boxes", &D::boxes).optional().entries("tree box", "boxes"));
+    return field::list(
+        field::name(&D::name), field::position<&D::vertices>.says(""),
+        field::exact<&D::tree>.optional(),
+        field::ratio<&D::cost>.optional().says("cost of the tree"),
+        field::ratio<&D::cost_when_built>.optional().says("cost of the tree when built"),
+        field::facts<&D::boxes>.optional().entries("tree box", "boxes"));
   }
   friend bool operator==(const Deformed&, const Deformed&) = default;
 };
@@ -172,14 +164,13 @@ struct BroadPhase {
 
   static constexpr auto fields() {
     using B = BroadPhase;
-    return field::list(field::exact("method", &B::method), field::exact("pairs", &B::pairs),
-                       field::exact("comparisons", &B::comparisons).optional(),
-                       field::exact("visits", &B::visits).optional(),
-                       field::exact("swaps", &B::swaps).optional(),
-                       field::facts("bounds", &B::bounds).entries("box", "boxes").says("box"),
-                       field::facts("cells", &B::cells).where_set().entries("cell"),
-                       field::facts("end_swaps", &B::end_swaps).where_set().entries("end swap"),
-                       field::exact("swept", &B::swept).where_set());
+    return field::list(field::exact<&B::method>, field::exact<&B::pairs>,
+                       field::exact<&B::comparisons>.optional(),
+                       field::exact<&B::visits>.optional(), field::exact<&B::swaps>.optional(),
+                       field::facts<&B::bounds>.entries("box", "boxes").says("box"),
+                       field::facts<&B::cells>.where_set().entries("cell"),
+                       field::facts<&B::end_swaps>.where_set().entries("end swap"),
+                       field::exact<&B::swept>.where_set());
   }
   friend bool operator==(const BroadPhase&, const BroadPhase&) = default;
 };
@@ -195,11 +186,10 @@ struct Totals {
   double potential_energy = 0;  // joules
 
   static constexpr auto fields() {
-    return field::list(field::length("penetration", &Totals::penetration),
-                       field::impulse("normal_impulse", &Totals::normal_impulse),
-                       field::exact("points", &Totals::points), field::exact("ids", &Totals::ids),
-                       field::energy("kinetic_energy", &Totals::kinetic_energy),
-                       field::energy("potential_energy", &Totals::potential_energy));
+    return field::list(field::length<&Totals::penetration>, field::impulse<&Totals::normal_impulse>,
+                       field::exact<&Totals::points>, field::exact<&Totals::ids>,
+                       field::energy<&Totals::kinetic_energy>,
+                       field::energy<&Totals::potential_energy>);
   }
   friend bool operator==(const Totals&, const Totals&) = default;
 };
@@ -208,8 +198,8 @@ using Placement = std::pair<std::string, Pose<double>>;
 
 template <> struct ListOf<Pose<double>> {
   static constexpr auto fields() {
-    return field::list(field::position("position", &Pose<double>::position).says(""),
-                       field::rotation("quat_wxyz", &Pose<double>::rotation).says(""));
+    return field::list(field::position<&Pose<double>::position>.says(""),
+                       field::rotation<&Pose<double>::rotation>.keyed("quat_wxyz").says(""));
   }
 };
 template <> struct ListOf<Placement> {
@@ -233,20 +223,15 @@ struct Frame {
 
   static constexpr auto fields() {
     // The time is a product of two numbers of the file, which every processor rounds alike.
-    return field::list(field::exact("frame", &Frame::frame).names(),
-                       field::exact("time", &Frame::time),
-                       field::facts("poses", &Frame::poses).entries("pose"),
-                       field::facts("pairs", &Frame::pairs).entries("pair"),
-                       field::facts("deformed", &Frame::deformed)
-                           .where_set()
-                           .entries("deformed mesh", "deformed meshes"),
-                       field::facts("field_slices", &Frame::field_slices)
-                           .where_set()
-                           .entries("slice through a field", "slices through fields"),
-                       field::fact("broad_phase", &Frame::broad_phase).called("broad phase"),
-                       field::fact("solver", &Frame::solver).called("solver"),
-                       field::fact("totals", &Frame::totals).called("totals"),
-                       field::facts("shapes", &Frame::shapes).where_set().entries("new shape"));
+    return field::list(
+        field::exact<&Frame::frame>.names(), field::exact<&Frame::time>,
+        field::facts<&Frame::poses>.entries("pose"), field::facts<&Frame::pairs>.entries("pair"),
+        field::facts<&Frame::deformed>.where_set().entries("deformed mesh", "deformed meshes"),
+        field::facts<&Frame::field_slices>.where_set().entries("slice through a field",
+                                                               "slices through fields"),
+        field::fact<&Frame::broad_phase>.called("broad phase"),
+        field::fact<&Frame::solver>.called("solver"), field::fact<&Frame::totals>.called("totals"),
+        field::facts<&Frame::shapes>.where_set().entries("new shape"));
   }
 };
 

@@ -38,8 +38,7 @@ class CheckShards : public testing::Test {
   std::map<std::string, std::string> report() const {
     std::map<std::string, std::string> files;
     for (const std::string& file : files_below(folder_ / "out/check"))
-      if (!file.starts_with("times") && !file.starts_with("known_same"))
-        files[file] = read_text(folder_ / ("out/check/" + file));
+      if (!file.starts_with("times")) files[file] = read_text(folder_ / ("out/check/" + file));
     return files;
   }
 
@@ -98,47 +97,32 @@ TEST_F(CheckShards, OneThatIsLeftFromAnEarlierRunIsRefused) {
   EXPECT_EQ(merge().exit_code, 1);
 }
 
-TEST_F(CheckShards, UnchangedScenariosAreNotRunAgain) {
+TEST_F(CheckShards, EveryCheckRunsAllScenarios) {
   check();
-  const ProgramRun second = check("--verbose");
-  EXPECT_EQ(second.exit_code, 1);
-  EXPECT_THAT(second.err, HasSubstr("2 of 3 were not run again, because they have not changed"));
-  EXPECT_THAT(second.out, HasSubstr("same        group/one, nothing changed"));
+  EXPECT_EQ(check("--fresh").exit_code, 1);
   EXPECT_EQ(check("--accept '*'").exit_code, 0);
-  EXPECT_EQ(check().exit_code, 0);
-  EXPECT_THAT(check().err, HasSubstr("nothing changed since the last check"));
-  EXPECT_THAT(check("--fresh").err, Not(HasSubstr("nothing changed")));
-  EXPECT_THAT(check().err, HasSubstr("nothing changed")) << "a fresh run is remembered too";
+  EXPECT_THAT(check("--verbose").out, HasSubstr("same        group/one\n"));
   const std::string stored = folder_ / "snapshots/group/one/trace.jsonl";
   std::string text = read_text(stored);
   text[text.find("-0.00") + 4] = '9';
   folder_.write("snapshots/group/one/trace.jsonl", text);
   EXPECT_EQ(check().exit_code, 1) << "a stored digit";
-  check("--update");
-  check();
-  std::filesystem::remove(folder_ / "scenarios/group/three.toml");
-  const ProgramRun gone = check();
-  EXPECT_EQ(gone.exit_code, 1);
-  EXPECT_THAT(gone.err, HasSubstr("2 of 2 were not run again"));
-  EXPECT_THAT(gone.err, Not(HasSubstr("nothing changed since the last check: neither")));
+  const auto times = nlohmann::json::parse(read_text(folder_ / "out/check/times.json"));
+  EXPECT_EQ(times.size(), 3u);
 }
 
-TEST_F(CheckShards, CachedResultsHoldForOneBuildOnly) {
-  // readelf reads the linker's build id independently.
+TEST_F(CheckShards, TheirReportsNameTheProgram) {
+  // sha256sum hashes the program and its result independently.
   const std::string listed = folder_ / "notes.txt";
-  const std::string readelf = "LC_ALL=C readelf -n '" CONTACTSCOPE_BINARY_DIR "/contactscope' > ";
-  ASSERT_EQ(std::system((readelf + "'" + listed + "'").c_str()), 0);
-  const std::string notes = read_text(listed);
-  const std::string label = "Build ID: ";
-  const std::size_t found = notes.find(label);
-  if (found == std::string::npos) GTEST_SKIP() << "the linker makes no build ids here";
-  std::string id;
-  for (std::size_t at = found + label.size(); std::isxdigit(static_cast<unsigned char>(notes[at]));
-       at += 2)
-    id += static_cast<char>(std::stoi(notes.substr(at, 2), nullptr, 16));
-  check("--facts-only");
-  const auto known = nlohmann::json::parse(read_text(folder_ / "out/check/known_same.json"));
-  EXPECT_THAT(known["surroundings"].get<std::string>(), testing::StartsWith(sha256(id) + " "));
+  const std::string sum = "sha256sum < '" CONTACTSCOPE_BINARY_DIR "/contactscope' > ";
+  ASSERT_EQ(std::system((sum + "'" + listed + "'").c_str()), 0);
+  std::string made_of = read_text(listed).substr(0, 64);
+  for (const char* name : {"one", "three", "two"})
+    made_of += std::string("\ngroup/") + name + " " +
+               sha256(read_text(folder_ / ("scenarios/group/" + std::string(name) + ".toml")));
+  check("--shard 1/2 --facts-only");
+  const auto report = nlohmann::json::parse(read_text(folder_ / "out/check_1_of_2/findings.json"));
+  EXPECT_EQ(report.at("made_of"), sha256(made_of));
 }
 
 TEST_F(CheckShards, SeveralProcessesWithOneFolderDoNotHarmEachOther) {

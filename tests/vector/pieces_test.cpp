@@ -32,7 +32,7 @@ std::vector<Piece> pieces_of(const Drawing& drawing) {
   return all;
 }
 
-TEST(Visible, NothingOutsideTransparentOrEmptyIsLeft) {
+TEST(Pieces, NothingOutsideTransparentOrEmptyIsLeft) {
   const Drawing drawing = canvas({
       box(10, 10, 20, 20, kRed),          // the only visible one
       box(-30, 10, -10, 20, kRed),        // left of the canvas
@@ -45,29 +45,22 @@ TEST(Visible, NothingOutsideTransparentOrEmptyIsLeft) {
       Text{"", {50, 50}, 14},             // no letters
       Disc{{120, 50}, 0, 4, kRed},        // right of it
   });
-  EXPECT_THAT(visible(drawing), testing::ElementsAre(true, false, false, false, false, false, false,
-                                                     false, false, false));
+  const std::vector<Piece> pieces = pieces_of(drawing);
+  ASSERT_EQ(pieces.size(), 1u);
+  const std::vector<Point2> polygon = std::get<FillPath>(pieces[0]).polygons.at(0);
+  EXPECT_THAT(polygon, testing::UnorderedElementsAre(Point2{10, 10}, Point2{20, 10}, Point2{20, 20},
+                                                     Point2{10, 20}));
 }
 
-TEST(Visible, ShapesUnderLaterOpaqueFillsAreGone) {
-  const auto hidden = [](const draw::Primitive& first, std::vector<draw::Primitive> later) {
-    later.insert(later.begin(), first);
-    return !visible(canvas(later)).front();
-  };
-  const Fill wall = box(20, 20, 60, 60, kBlue);
-  EXPECT_TRUE(hidden(box(30, 30, 40, 40, kRed), {wall}));
-  EXPECT_TRUE(hidden(Disc{{40, 40}, 0, 8, kRed}, {wall}));
-  EXPECT_TRUE(hidden(stroke({25, 25}, {50, 50}), {wall}));
-  EXPECT_TRUE(hidden(Text{"a", {40, 40}, 10}, {wall}));
-  // Two halves cover as much as one whole.
-  EXPECT_TRUE(
-      hidden(box(30, 30, 50, 40, kRed), {box(20, 20, 40, 60, kBlue), box(40, 20, 60, 60, kRed)}));
-  // A part of it shows, or the wall is translucent, or it was painted before.
-  EXPECT_FALSE(hidden(box(50, 30, 70, 40, kRed), {wall}));
-  EXPECT_FALSE(hidden(box(30, 30, 40, 40, kRed), {box(20, 20, 60, 60, kGlass)}));
-  EXPECT_FALSE(hidden(wall, {box(30, 30, 40, 40, kRed)}));
-  // Soft borders extend a pixel beyond the shape.
-  EXPECT_FALSE(hidden(box(20, 20, 60, 60, kRed), {wall}));
+TEST(Pieces, ShapesThatTouchTheCanvasStay) {
+  const std::vector<Piece> pieces = pieces_of(canvas({
+      Disc{{103, 50}, 0, 4, kRed},                                          // a pixel of it shows
+      Text{"a", {-4, 40}, 14},                                              // half of the letter
+      Text{.text = "a", .at = {50, 40}, .color = {0, 0, 0, 0}, .halo = 2},  // the halo alone
+      Stroke{{50, 50}, {50, 50}, 2, kRed, Cap::Round},                      // a dot
+      box(20, 20, 60, 60, kBlue),  // over the letter and the dot
+  }));
+  EXPECT_EQ(pieces.size(), 5u);
 }
 
 TEST(Pieces, NeighboursOfOneColourAreOnePath) {

@@ -9,7 +9,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/check/known_same.h"
 #include "app/check/reports/report.h"
 #include "app/check/viewers.h"
 #include "app/cli/faults.h"
@@ -168,12 +167,6 @@ class Checker {
   }
 
   const RunLog& log() const { return log_; }
-
-  /// Content that all findings depend on. Opens OpenGL unless pictures are off.
-  std::string surroundings() {
-    return program_id() + " " + snapshot::rounding() + " " +
-           (options_.facts_only ? "facts" : renderer_.driver());
-  }
 
  private:
   static bool has_unstored(const Scenario& scenario) {
@@ -350,10 +343,10 @@ void require_folder(const Options& options) {
                    "another with --snapshots DIR, or create it with check --write-missing");
 }
 
-/// Hash input common to the shards of one run. Excludes snapshots: a shard with --update may write
+/// Hash common to the shards of one run: of the program and the inputs. Excludes snapshots: a shard with --update may write
 /// some before the next shard starts.
 std::string made_of(const std::vector<Input>& inputs) {
-  std::string all = program_id();
+  std::string all = snapshot::sha256_of_file("/proc/self/exe");
   for (const Input& input : inputs)
     all += "\n" + input.scenario.name + " " +
            (input.unreadable.empty()
@@ -392,36 +385,18 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
       return 1.0 + 0.1 * input.scenario.frames + pictures;
     });
 
-  // Skip the cache for runs that rewrite every file or check only some views.
-  const bool can_be_known = options.view.empty() && options.update != snapshot::Update::All;
-  std::optional<KnownSame> known;
-  std::vector<std::string> contents(inputs.size());
-  if (can_be_known) {
-    known.emplace(report.folder(), checker.surroundings());
-    contents = contents_of(inputs, options.snapshot_root);
-  }
   nlohmann::ordered_json times = nlohmann::ordered_json::object();
   {
     Progress progress(count_of(inputs), options.quiet);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
+    for (Input& input : inputs) {
       stop_if_interrupted();
-      Input& input = inputs[i];
       const std::string name = input.scenario.name;
-      const bool is_file = known && !input.trace && input.unreadable.empty();
       progress.advance(name);
-      if (is_file && !options.fresh) {
-        if (auto same = known->find(name, contents[i])) {
-          same->file = input.scenario.path;
-          outcome.scenarios.push_back(std::move(*same));
-          continue;
-        }
-      }
       const auto begin = std::chrono::steady_clock::now();
       outcome.scenarios.push_back(checked(checker, input));
       const std::chrono::duration<double, std::milli> time =
           std::chrono::steady_clock::now() - begin;
       times[name] = std::round(time.count() * 10) / 10;
-      if (is_file) known->add(outcome.scenarios.back(), contents[i]);
     }
   }
   const bool is_first = !options.shard || options.shard->part == 1;
@@ -431,7 +406,6 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
   }
   std::ranges::stable_sort(outcome.scenarios, {}, &ScenarioOutcome::scenario);
   report.add_file("times.json", merged_times(report.folder(), times));
-  if (known) report.add_file("known_same.json", known->text());
   rewrite_page(report.aside(), outcome, options);
   report.publish(outcome);
   if (options.verbose) checker.log().print(std::cerr, "check");

@@ -253,7 +253,7 @@ const std::vector<Option>& option_table() {
       {"--times", "FILE", "check", &Options::times,
        "Times of the scenarios in an earlier run, OUT/check/times.json, to balance --shard", kFile},
       {"--fresh", "", "check", &Options::fresh,
-       "Also run scenarios that have not changed since the last check"},
+       "Accepted for scripts: every check runs all of its scenarios"},
       {"--out", "DIR", "render check review show explore study versus shrink merge", &Options::out,
        "Folder to write to", kFolder, kUnrecorded},
       {"--backend", "NAME", "render check explore study versus diff",

@@ -80,7 +80,7 @@ struct CheckOptions {
   std::string pictures = "auto";         // for `show`: method of drawing in a terminal
   std::optional<snapshot::Shard> shard;  // part of all scenarios
   std::string times;                     // file with the cost of each scenario
-  bool fresh = false;                    // also check scenarios that have not changed
+  bool fresh = false;                    // of older versions, which skipped unchanged scenarios
 };
 
 /// Options of `lint`.

@@ -123,7 +123,7 @@ void report_terminal(const ReportInput& input) {
     if (scenario.written > 0 && !options.quiet)
       print_written(scenario);
     else if (options.verbose)
-      put_line("same", scenario.scenario + (scenario.is_known_same ? ", nothing changed" : ""));
+      put_line("same", scenario.scenario);
   }
   for (const Cause& cause : snapshot::causes(outcome)) put_cause(cause, options.verbose);
   const snapshot::Tally counts = snapshot::tally(outcome);
@@ -136,13 +136,6 @@ void report_terminal(const ReportInput& input) {
   const std::size_t most = options.verbose ? notes.size() : 3;
   for (std::size_t i = 0; i < notes.size() && i < most; ++i) std::cerr << notes[i] << '\n';
   if (most < notes.size()) std::cerr << "and " << notes.size() - most << " more such notes\n";
-  if (counts.known_same > 0)
-    std::cerr
-        << (counts.known_same == counts.scenarios && counts.failing + counts.written == 0
-                ? "nothing changed since the last check: neither scenarios, snapshots nor "
-                  "program\n"
-                : std::to_string(counts.known_same) + " of " + std::to_string(counts.scenarios) +
-                      " were not run again, because they have not changed since the last check\n");
   std::cerr << snapshot::summary(counts) << '\n';
   if (counts.failing == 0) return;
   std::cerr << "see " << path_in(input, "report.html") << "; " << what_to_do(input, counts) << '\n';
