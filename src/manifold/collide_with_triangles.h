@@ -282,7 +282,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const Aabb<S> box{shape.box.lower - grown, shape.box.upper + grown};
 
   const NearTriangles<S> near(b, box);
-  std::optional<TriangleHull<S>> hull;
+  thread_local std::optional<TriangleHull<S>> hull;  // kept, because it has nine allocations
   S least = std::numeric_limits<S>::infinity();
   S kept = std::numeric_limits<S>::infinity();  // of added or skipped contacts
   LeftOut<S> left_out;

@@ -19,13 +19,8 @@ namespace contactscope {
 template <class S> class NearTriangles {
  public:
   /// `mesh` must outlive this. `box`: mesh frame.
-  NearTriangles(const Mesh<S>& mesh, const Aabb<S>& box) : mesh_(mesh), box_(box) {
-    is_whole_ = !mesh.tree.any_place_of(box, [&](int place) {
-      if (places_.size() == places_.capacity()) return true;
-      places_.push_back(place);
-      return false;
-    });
-  }
+  NearTriangles(const Mesh<S>& mesh, const Aabb<S>& box)
+      : mesh_(mesh), box_(box), is_whole_(mesh.tree.find_places(box, places_)) {}
 
   const Mesh<S>& mesh() const { return mesh_; }
 

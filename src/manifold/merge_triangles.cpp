@@ -10,6 +10,7 @@
 
 #include "core/convex_polygon.h"
 #include "core/instantiate.h"
+#include "geometry/lanes.h"
 #include "manifold/collide_pairs.h"
 #include "query/tolerance.h"
 
@@ -32,6 +33,12 @@ template <class S> int common_vertex(const Hull<S>& hull, std::uint32_t one, std
 
 /// The face that looks most along a direction.
 template <class S> int facing(const Hull<S>& hull, const Vec3<S>& direction) {
+  if (hull.is_box()) {
+    const Vec3<S> size = direction.cwiseAbs();
+    const int of_two = size.y() > size.x() ? 1 : 0;
+    const int axis = size.z() > std::max(size.x(), size.y()) ? 2 : of_two;
+    return 2 * axis + (direction[axis] < S(0) ? 1 : 0);
+  }
   const auto best = std::ranges::max_element(
       hull.planes, {}, [&](const Plane<S>& plane) { return plane.normal.dot(direction); });
   return static_cast<int>(best - hull.planes.begin());
@@ -150,6 +157,47 @@ template <class S> class Outline {
   Numbers corners_, candidates_;
 };
 
+/// The corners that Outline finds of up to four points, or none where rounding may decide. Every
+/// point is farther than `near` from each line through two others, so three of them are corners;
+/// and four points are, unless one is inside the triangle of the others. Which one follows from
+/// the signs of the four triangles without one point (Radon 1921): two of each, or it differs.
+template <class S>
+StaticVector<int, 4> clear_corners(ContactPoints<S> points, const Vec3<S>& normal, S near) {
+  const auto to = [&](std::size_t i) -> Vec3<S> {
+    return points[i].position - points[0].position;
+  };
+  StaticVector<int, 4> corners;
+  const auto keep_all_but = [&](int dropped) {
+    for (int i = 0; i < count_of(points); ++i)
+      if (i != dropped) corners.push_back(i);
+    return corners;
+  };
+  const S clear = S(8) * near;
+  if (points.size() == 1) return keep_all_but(-1);
+  const Vec3<S> along = to(1);
+  if (points.size() == 2) return normal.cross(along).norm() > clear ? keep_all_but(-1) : corners;
+  const Vec3<S> second = to(2);
+  const S far = std::max(along.squaredNorm(), second.squaredNorm());
+  const S without_3 = normal.dot(along.cross(second));
+  if (points.size() == 3)
+    return std::abs(without_3) > clear * std::sqrt(far) ? keep_all_but(-1) : corners;
+  const Vec3<S> third = to(3);
+  const S least_area = clear * std::sqrt(std::max(far, third.squaredNorm()));
+  const S without_2 = normal.dot(along.cross(third)), without_1 = normal.dot(second.cross(third));
+  const S signs[] = {without_1 - without_2 + without_3, -without_1, without_2, -without_3};
+  int positive = 0;
+  S least = std::abs(signs[0]);
+  for (int i = 0; i < 4; ++i) {
+    positive |= (signs[i] > S(0) ? 1 : 0) << i;
+    least = std::min(least, std::abs(signs[i]));
+  }
+  if (!(least > least_area)) return corners;
+  // A single sign, or the only one that is not like the others.
+  if (std::popcount(static_cast<unsigned>(positive)) == 3) positive ^= 15;
+  const bool is_inside = (positive & (positive - 1)) == 0;
+  return keep_all_but(is_inside ? std::countr_zero(static_cast<unsigned>(positive)) : -1);
+}
+
 /// The largest coordinate, metres.
 template <class S> S scale_of(ContactPoints<S> points) {
   S scale = S(0);
@@ -161,6 +209,10 @@ template <class S> S scale_of(ContactPoints<S> points) {
 /// Step 4: ascending indices, at most kMaxManifoldPoints.
 template <class S>
 Numbers outline_of(ContactPoints<S> points, const Vec3<S>& normal, S near, Arena& arena) {
+  if (points.size() <= 4) {
+    const StaticVector<int, 4> few = clear_corners(points, normal, near);
+    if (few.size() == points.size()) return Numbers(few.begin(), few.end(), &arena);
+  }
   const Outline<S> outline(points, normal, near, arena);
   // A face has too few vertices for more corners; only a mesh that bends within kFlatEdgeAngle may.
   const std::size_t corners = outline.corners().size();
@@ -357,25 +409,50 @@ void TriangleContacts<S>::finish_group(std::span<Part* const> parts, const ToWor
   }
 }
 
+/// Counts the deeper parts for each one, which needs no branches: those on depths would be
+/// mispredicted. Returns whether there are few parts and no two are equally deep.
+template <class S> bool TriangleContacts<S>::sort_few(std::span<Part*> sorted) {
+  constexpr std::size_t kFew = 32;
+  if (sorted.size() > kFew) return false;
+  S depths[kFew];
+  int deeper[kFew] = {}, same = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) depths[i] = parts_[i].deepest;
+  const std::size_t stride = static_cast<std::size_t>(padded(count_of(sorted))) & ~std::size_t{3};
+  for (std::size_t i = sorted.size(); i < stride; ++i) depths[i] = std::numeric_limits<S>::quiet_NaN();
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    for (std::size_t k = 0; k < stride; ++k) {
+      deeper[k] += depths[i] < depths[k] ? 1 : 0;
+      same += depths[i] == depths[k] ? 1 : 0;
+    }
+  }
+  if (same != count_of(sorted)) return false;
+  for (std::size_t i = 0; i < sorted.size(); ++i) at(sorted, deeper[i]) = &parts_[i];
+  return true;
+}
+
 template <class S>
 void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions& options,
                                 Manifolds<S>& manifolds, Recorder<S>* recorder) {
-  std::pmr::vector<Part*> parts(&arena_);
-  parts.reserve(parts_.size());
-  for (Part& part : parts_) parts.push_back(&part);
-  std::ranges::sort(parts, [](const Part* one, const Part* other) {
-    return std::tie(one->deepest, one->triangle) < std::tie(other->deepest, other->triangle);
-  });
+  std::pmr::vector<Part*> parts(parts_.size(), &arena_), group(parts_.size(), &arena_);
+  if (!sort_few(parts)) {
+    std::ranges::transform(parts_, parts.begin(), [](Part& part) { return &part; });
+    std::ranges::sort(parts, [](const Part* one, const Part* other) {
+      return std::tie(one->deepest, one->triangle) < std::tie(other->deepest, other->triangle);
+    });
+  }
   constexpr S kNearest = static_cast<S>(kFlatEdgeAngle);  // as the distance of unit vectors
-  for (auto begin = parts.begin(); begin != parts.end();) {
-    const Vec3<S>& normal = (*begin)->normal;
-    auto end = begin + 1;  // of the group of the first part, which moves in front of the others
-    for (auto part = end; part != parts.end(); ++part) {
-      if (((*part)->normal - normal).squaredNorm() <= kNearest * kNearest)
-        std::rotate(end++, part, part + 1);
+  for (std::size_t left = parts.size(); left > 0;) {
+    const Vec3<S> normal = parts.front()->normal;
+    std::size_t near = 0, other = 0;
+    for (std::size_t i = 0; i < left; ++i) {
+      Part* const part = parts[i];
+      const bool is_near = (part->normal - normal).squaredNorm() <= kNearest * kNearest || i == 0;
+      group[near] = parts[other] = part;
+      near += is_near ? 1 : 0;
+      other += is_near ? 0 : 1;
     }
-    finish_group({begin, end}, to_world, options, manifolds, recorder);
-    begin = end;
+    finish_group({group.data(), near}, to_world, options, manifolds, recorder);
+    left = other;
   }
   if (options.reducer != nullptr)
     keep_most_different(static_cast<std::size_t>(kMergedManifolds * options.reduction.max_points),
