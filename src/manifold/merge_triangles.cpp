@@ -10,7 +10,7 @@
 
 #include "core/convex_polygon.h"
 #include "core/instantiate.h"
-#include "geometry/lanes.h"
+#include "core/pack.h"
 #include "manifold/collide_pairs.h"
 #include "query/tolerance.h"
 
@@ -409,25 +409,34 @@ void TriangleContacts<S>::finish_group(std::span<Part* const> parts, const ToWor
   }
 }
 
-/// Counts the deeper parts for each one, which needs no branches: those on depths would be
-/// mispredicted. Returns whether there are few parts and no two are equally deep.
+/// Counts the parts before each one, which needs no branches: those on depths would be mispredicted.
+/// Returns false if there are many parts, or two of one triangle that are equally deep.
 template <class S> bool TriangleContacts<S>::sort_few(std::span<Part*> sorted) {
-  constexpr std::size_t kFew = 32;
-  if (sorted.size() > kFew) return false;
-  S depths[kFew];
-  int deeper[kFew] = {}, same = 0;
-  for (std::size_t i = 0; i < sorted.size(); ++i) depths[i] = parts_[i].deepest;
-  const std::size_t stride = static_cast<std::size_t>(padded(count_of(sorted))) & ~std::size_t{3};
-  for (std::size_t i = sorted.size(); i < stride; ++i) depths[i] = std::numeric_limits<S>::quiet_NaN();
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    for (std::size_t k = 0; k < stride; ++k) {
-      deeper[k] += depths[i] < depths[k] ? 1 : 0;
-      same += depths[i] == depths[k] ? 1 : 0;
+  using Counts = lanes::Flags<S>;
+  using Count = std::remove_cvref_t<decltype(Counts{}[0])>;
+  const int count = count_of(sorted);
+  if (count > 32) return false;
+  int all_same = 0;
+  for (int first = 0; first < count; first += lanes::kWidth<S>) {
+    const auto part = [&](int lane) -> Part& {
+      return at(parts_, std::min(first + lane, count - 1));
+    };
+    const auto depths = lanes::each<S>([&](int lane) { return part(lane).deepest; });
+    const auto triangles =
+        lanes::pack_of<Counts>([&](int lane) -> Count { return part(lane).triangle; });
+    Counts before = {}, same = {};
+    for (const Part& other : parts_) {
+      const Counts is_equal = lanes::all(other.deepest) == depths;
+      const Count triangle = other.triangle;
+      before -= (lanes::all(other.deepest) < depths) | (is_equal & (triangle < triangles));
+      same -= is_equal & (triangle == triangles);
+    }
+    for (int lane = 0; lane < std::min(lanes::kWidth<S>, count - first); ++lane) {
+      at(sorted, static_cast<int>(before[lane])) = &part(lane);
+      all_same += static_cast<int>(same[lane]);
     }
   }
-  if (same != count_of(sorted)) return false;
-  for (std::size_t i = 0; i < sorted.size(); ++i) at(sorted, deeper[i]) = &parts_[i];
-  return true;
+  return all_same == count;
 }
 
 template <class S>
