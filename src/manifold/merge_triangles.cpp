@@ -9,20 +9,23 @@
 #include <tuple>
 
 #include "core/convex_polygon.h"
+#include "core/dot_order.h"
 #include "core/instantiate.h"
 #include "core/pack.h"
+#include "core/scratch.h"
+#include "geometry/box_topology.h"
 #include "manifold/collide_pairs.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
 namespace {
 
-using Arena = std::pmr::memory_resource;
-using Numbers = std::pmr::vector<int>;
-
 /// The vertex that two undirected edges share; -1 for none.
 template <class S> int common_vertex(const Hull<S>& hull, std::uint32_t one, std::uint32_t other) {
-  const auto end = [&](std::uint32_t half) { return hull.half_edges[half].origin; };
+  // Those of a box need not be fetched from memory.
+  const HalfEdge* const edges =
+      hull.is_box() ? kBox.half_edges.data() : hull.half_edges.data();
+  const auto end = [&](std::uint32_t half) { return edges[half].origin; };
   const int from = end(2 * one), to = end(2 * one + 1);
   // No short circuits: which ends meet is random, and branches would be mispredicted.
   const bool at_from = (from == end(2 * other)) | (from == end(2 * other + 1));
@@ -47,40 +50,44 @@ template <class S> int facing(const Hull<S>& hull, const Vec3<S>& direction) {
 /// Points that differ in their id, or are of one triangle; of others the deepest.
 template <class S> class DistinctPoints {
  public:
-  DistinctPoints(std::size_t most, Arena& arena)
-      : slots_(std::bit_ceil(2 * most), -1, &arena), points_(&arena), triangles_(&arena) {
-    points_.reserve(most);
-    triangles_.reserve(most);
+  explicit DistinctPoints(int most)
+      : mask_(std::bit_ceil(2 * static_cast<unsigned>(most)) - 1),
+        slots_(static_cast<int>(mask_ + 1)),
+        points_(most),
+        triangles_(most) {
+    std::fill_n(slots_.data(), mask_ + 1, -1);
   }
 
   void add(const ContactPoint<S>& point, int triangle) {
-    const std::size_t mask = slots_.size() - 1;
     const auto mix = [](const FeatureRef& ref) {
       return (std::uint64_t{ref.index} * 3 + static_cast<std::uint64_t>(ref.kind)) * 2 +
              static_cast<std::uint64_t>(ref.owner);
     };
     const std::uint64_t key =
         (mix(point.id.first) << 32 ^ mix(point.id.second)) * std::uint64_t{0x9e3779b97f4a7c15};
-    for (std::size_t slot = key >> 32 & mask;; slot = (slot + 1) & mask) {
-      if (slots_[slot] < 0) {
-        slots_[slot] = count_of(points_);
-        points_.push_back(point);
-        triangles_.push_back(triangle);
+    for (unsigned slot = static_cast<unsigned>(key >> 32) & mask_;; slot = (slot + 1) & mask_) {
+      int& place = slots_[static_cast<int>(slot)];
+      if (place < 0) {
+        place = count_;
+        triangles_[count_] = triangle;
+        points_[count_++] = point;
         return;
       }
-      ContactPoint<S>& known = at(points_, slots_[slot]);
-      if (known.id != point.id || at(triangles_, slots_[slot]) == triangle) continue;
+      ContactPoint<S>& known = points_[place];
+      if (known.id != point.id || triangles_[place] == triangle) continue;
       if (point.separation < known.separation) known = point;
       return;
     }
   }
 
-  ContactPoints<S> points() const { return points_; }
+  ContactPoints<S> points() const { return {points_.data(), static_cast<std::size_t>(count_)}; }
 
  private:
-  Numbers slots_;  // indices into points_; -1: free
-  std::pmr::vector<ContactPoint<S>> points_;
-  Numbers triangles_;  // the first one of each point
+  unsigned mask_;
+  int count_ = 0;
+  Scratch<int, 128> slots_;  // indices into points_; -1: free
+  Scratch<ContactPoint<S>, 64> points_;
+  Scratch<int, 64> triangles_;  // the first one of each point
 };
 
 /// The corners of the convex hull of points in a plane, within rounding, by quickhull (Barber et al.
@@ -88,37 +95,39 @@ template <class S> class DistinctPoints {
 template <class S> class Outline {
  public:
   /// `near`: metres by which rounding may have moved a point.
-  Outline(ContactPoints<S> points, const Vec3<S>& normal, S near, Arena& arena)
-      : near_(near), places_(&arena), corners_(&arena), candidates_(&arena) {
+  Outline(ContactPoints<S> points, const Vec3<S>& normal, S near)
+      : count_(count_of(points)), near_(near), places_(count_), corners_(count_) {
     const PlaneFrame<S> plane(points[0].position, normal);
-    places_.reserve(points.size());
     Vec2<S> middle = Vec2<S>::Zero();
-    for (const ContactPoint<S>& point : points) {
-      places_.push_back(plane.seen(point.position));
-      middle += places_.back();
+    for (int i = 0; i < count_; ++i) {
+      places_[i] = plane.seen(at(points, i).position);
+      middle += places_[i];
     }
-    middle /= static_cast<S>(points.size());
+    middle /= static_cast<S>(count_);
     const int first = farthest_from(middle);
-    const int second = farthest_from(at(places_, first));
-    corners_.push_back(first);
-    if (!((at(places_, second) - at(places_, first)).norm() > near)) return;
-    corners_.push_back(second);
-    candidates_.resize(points.size());
-    std::iota(candidates_.begin(), candidates_.end(), 0);
-    add_beyond(first, second, candidates_);
-    add_beyond(second, first, candidates_);
-    std::ranges::sort(corners_);
+    const int second = farthest_from(places_[first]);
+    corners_[corner_count_++] = first;
+    if (!((places_[second] - places_[first]).norm() > near)) return;
+    corners_[corner_count_++] = second;
+    Scratch<int, 64> candidates(count_);
+    const std::span<int> all(candidates.data(), points.size());
+    std::iota(all.begin(), all.end(), 0);
+    add_beyond(first, second, all);
+    add_beyond(second, first, all);
+    std::sort(corners_.data(), corners_.data() + corner_count_);
   }
 
   /// Ascending indices.
-  const Numbers& corners() const { return corners_; }
+  std::span<const int> corners() const {
+    return {corners_.data(), static_cast<std::size_t>(corner_count_)};
+  }
 
  private:
   int farthest_from(const Vec2<S>& place) const {
     int best = 0;
     S most = S(-1);
-    for (int i = 0; i < count_of(places_); ++i) {
-      const S squared = (at(places_, i) - place).squaredNorm();
+    for (int i = 0; i < count_; ++i) {
+      const S squared = (places_[i] - place).squaredNorm();
       if (squared > most) most = squared, best = i;
     }
     return best;
@@ -127,9 +136,9 @@ template <class S> class Outline {
   /// Adds the corners to the right of the line between two corners, from among `candidates`, which
   /// it reorders. Of points that are equally far from the line the first along it is a corner.
   void add_beyond(int from, int to, std::span<int> candidates) {
-    const Vec2<S> start = at(places_, from);
-    const Vec2<S> along = (at(places_, to) - start).normalized();
-    const auto height = [&](int i) -> S { return cross(at(places_, i) - start, along); };
+    const Vec2<S> start = places_[from];
+    const Vec2<S> along = (places_[to] - start).normalized();
+    const auto height = [&](int i) -> S { return cross(places_[i] - start, along); };
     S most = near_;
     const auto end = std::partition(candidates.begin(), candidates.end(), [&](int i) {
       const S here = height(i);
@@ -140,62 +149,54 @@ template <class S> class Outline {
     std::span<int> beyond(candidates.begin(), end);
     S least = std::numeric_limits<S>::infinity();
     for (int& i : beyond) {
-      const S place = (at(places_, i) - start).dot(along);
+      const S place = (places_[i] - start).dot(along);
       if (!(place < least && height(i) >= most - near_)) continue;
       least = place;
       std::swap(i, beyond.front());
     }
     const int best = beyond.front();
     beyond = beyond.subspan(1);
-    corners_.push_back(best);
+    corners_[corner_count_++] = best;
     add_beyond(from, best, beyond);
     add_beyond(best, to, beyond);
   }
 
+  int count_, corner_count_ = 0;
   S near_;
-  std::pmr::vector<Vec2<S>> places_;  // in the plane, metres, from the first point
-  Numbers corners_, candidates_;
+  Scratch<Vec2<S>, 64> places_;  // in the plane, metres, from the first point
+  Scratch<int, 64> corners_;
 };
 
-/// The corners that Outline finds of up to four points, or none where rounding may decide. Every
-/// point is farther than `near` from each line through two others, so three of them are corners;
-/// and four points are, unless one is inside the triangle of the others. Which one follows from
-/// the signs of the four triangles without one point (Radon 1921): two of each, or it differs.
+/// Whether up to four points are certainly all corners in Outline: each is farther than `near` from
+/// every line through two others, and none of four is inside the triangle of the others. Each
+/// triangle leaves out one point, and two of their areas, with alternating signs, are positive
+/// (Radon 1921).
 template <class S>
-StaticVector<int, 4> clear_corners(ContactPoints<S> points, const Vec3<S>& normal, S near) {
+bool are_clear_corners(ContactPoints<S> points, const Vec3<S>& normal, S near) {
+  const std::size_t count = points.size();
+  if (count == 1) return true;
   const auto to = [&](std::size_t i) -> Vec3<S> {
     return points[i].position - points[0].position;
   };
-  StaticVector<int, 4> corners;
-  const auto keep_all_but = [&](int dropped) {
-    for (int i = 0; i < count_of(points); ++i)
-      if (i != dropped) corners.push_back(i);
-    return corners;
-  };
   const S clear = S(8) * near;
-  if (points.size() == 1) return keep_all_but(-1);
-  const Vec3<S> along = to(1);
-  if (points.size() == 2) return normal.cross(along).norm() > clear ? keep_all_but(-1) : corners;
+  const Vec3<S> first = to(1);
+  if (count == 2) return normal.cross(first).norm() > clear;
   const Vec3<S> second = to(2);
-  const S far = std::max(along.squaredNorm(), second.squaredNorm());
-  const S without_3 = normal.dot(along.cross(second));
-  if (points.size() == 3)
-    return std::abs(without_3) > clear * std::sqrt(far) ? keep_all_but(-1) : corners;
+  const S far = std::max(first.squaredNorm(), second.squaredNorm());
+  const S without_third = normal.dot(first.cross(second));
+  if (count == 3) return std::abs(without_third) > clear * std::sqrt(far);
   const Vec3<S> third = to(3);
-  const S least_area = clear * std::sqrt(std::max(far, third.squaredNorm()));
-  const S without_2 = normal.dot(along.cross(third)), without_1 = normal.dot(second.cross(third));
-  const S signs[] = {without_1 - without_2 + without_3, -without_1, without_2, -without_3};
-  int positive = 0;
-  S least = std::abs(signs[0]);
-  for (int i = 0; i < 4; ++i) {
-    positive |= (signs[i] > S(0) ? 1 : 0) << i;
-    least = std::min(least, std::abs(signs[i]));
+  const S without_second = normal.dot(first.cross(third));
+  const S without_first = normal.dot(second.cross(third));
+  const S areas[] = {without_first - without_second + without_third, -without_first, without_second,
+                     -without_third};
+  const S least = clear * std::sqrt(std::max(far, third.squaredNorm()));
+  int positive = 0, negative = 0;
+  for (const S area : areas) {
+    positive += area > least ? 1 : 0;
+    negative += area < -least ? 1 : 0;
   }
-  if (!(least > least_area)) return corners;
-  // A single sign, or the only one that is not like the others.
-  if (std::popcount(static_cast<unsigned>(positive)) == 3) positive ^= 15;
-  const bool is_inside = (positive & (positive - 1)) == 0;
-  return keep_all_but(is_inside ? std::countr_zero(static_cast<unsigned>(positive)) : -1);
+  return positive == 2 && negative == 2;
 }
 
 /// The largest coordinate, metres.
@@ -208,33 +209,76 @@ template <class S> S scale_of(ContactPoints<S> points) {
 
 /// Step 4: ascending indices, at most kMaxManifoldPoints.
 template <class S>
-Numbers outline_of(ContactPoints<S> points, const Vec3<S>& normal, S near, Arena& arena) {
-  if (points.size() <= 4) {
-    const StaticVector<int, 4> few = clear_corners(points, normal, near);
-    if (few.size() == points.size()) return Numbers(few.begin(), few.end(), &arena);
+KeptIndices outline_of(ContactPoints<S> points, const Vec3<S>& normal, S near) {
+  KeptIndices kept;
+  if (points.size() <= 4 && are_clear_corners(points, normal, near)) {
+    for (int i = 0; i < count_of(points); ++i) kept.push_back(i);
+    return kept;
   }
-  const Outline<S> outline(points, normal, near, arena);
+  const Outline<S> outline(points, normal, near);
   // A face has too few vertices for more corners; only a mesh that bends within kFlatEdgeAngle may.
   const std::size_t corners = outline.corners().size();
   const std::size_t count = std::min(corners, kMaxManifoldPoints - 1);
-  Numbers kept(&arena);
-  kept.reserve(count + 1);
   for (std::size_t i = 0; i < count; ++i) kept.push_back(outline.corners()[i * corners / count]);
   const auto separation = [&](int i) { return at(points, i).separation; };
   const auto found = std::ranges::min_element(points, {}, &ContactPoint<S>::separation);
   const int deepest = static_cast<int>(found - points.begin());
-  if (separation(deepest) < separation(*std::ranges::min_element(kept, {}, separation)) - near)
-    kept.insert(std::ranges::upper_bound(kept, deepest), deepest);
+  if (separation(deepest) < separation(*std::ranges::min_element(kept, {}, separation)) - near) {
+    kept.push_back(deepest);
+    std::inplace_merge(kept.begin(), kept.end() - 1, kept.end());
+  }
   return kept;
 }
 
-/// A unit impulse at a point: its direction, and its torque about the middle of all points in units
-/// of their radius.
-template <class S> struct PointWrench {
+/// A point of a manifold.
+struct PointPlace {
   std::size_t manifold, point;
-  Vec3<S> force, torque;
-  S distance = std::numeric_limits<S>::infinity();  // squared, from the nearest kept wrench
   bool kept = false;
+};
+
+/// Unit impulses at points: direction, and torque about the middle of all points in units of their
+/// radius. Six rows with a lane for each point, and the squared distance from the nearest kept one:
+/// -1 for those, and for lanes without a point.
+template <class S> class Wrenches {
+ public:
+  explicit Wrenches(int count)
+      : stride_((count + lanes::kWidth<S> - 1) / lanes::kWidth<S> * lanes::kWidth<S>),
+        rows_(7 * stride_) {
+    std::fill_n(rows_.data(), 7 * stride_, S(0));
+    for (int i = 0; i < stride_; ++i)
+      row(6)[i] = i < count ? std::numeric_limits<S>::infinity() : S(-1);
+  }
+
+  void set(int i, const Vec3<S>& force, const Vec3<S>& torque) {
+    for (int k = 0; k < 3; ++k) row(k)[i] = force[k], row(3 + k)[i] = torque[k];
+  }
+
+  /// Keeps a point and returns the one that differs most from all kept ones, the first of equals.
+  int next_after(int kept) {
+    using Pack = lanes::Pack<S>;
+    row(6)[kept] = S(-1);
+    Pack most = lanes::all(S(-1));
+    for (int i = 0; i < stride_; i += lanes::kWidth<S>) {
+      Pack squares[6];
+      for (int k = 0; k < 6; ++k) {
+        const Pack gap = lanes::load(row(k) + i) - lanes::all(row(k)[kept]);
+        squares[k] = gap * gap;
+      }
+      const Pack squared = dot_sum<S>(squares[0], squares[1], squares[2]) +
+                           dot_sum<S>(squares[3], squares[4], squares[5]);
+      const Pack least = lanes::smaller(squared, lanes::load(row(6) + i));
+      lanes::store(least, row(6) + i);
+      most = lanes::larger(most, least);
+    }
+    const S* const found = std::find(row(6), row(6) + stride_, lanes::largest<S>(most)[0]);
+    return static_cast<int>(found - row(6));
+  }
+
+ private:
+  S* row(int k) { return rows_.data() + k * stride_; }
+
+  int stride_;
+  Scratch<S, 7 * 64> rows_;
 };
 
 /// Step 6. Manifolds without points go, also from the record.
@@ -244,38 +288,40 @@ void keep_most_different(std::size_t most, Manifolds<S>& manifolds, trace::Merge
   for (const Manifold<S>& manifold : manifolds) points += manifold.points.size();
   if (points <= most) return;
   Vec3<S> middle = Vec3<S>::Zero();
-  std::vector<PointWrench<S>> wrenches;
+  std::vector<PointPlace> places;
+  places.reserve(points);
+  const auto point_at = [&](const PointPlace& place) -> const ContactPoint<S>& {
+    return manifolds[place.manifold].points[place.point];
+  };
   for (std::size_t m = 0; m < manifolds.size(); ++m) {
     for (std::size_t p = 0; p < manifolds[m].points.size(); ++p) {
-      wrenches.push_back({m, p, manifolds[m].normal, manifolds[m].points[p].position});
-      middle += wrenches.back().torque;
+      places.push_back({m, p});
+      middle += manifolds[m].points[p].position;
     }
   }
-  middle /= static_cast<S>(wrenches.size());
+  middle /= static_cast<S>(points);
   S radius = S(0);
-  for (const PointWrench<S>& one : wrenches)
-    radius = std::max(radius, (one.torque - middle).norm());
-  for (PointWrench<S>& one : wrenches) {
-    const Vec3<S> arm = one.torque - middle;
-    one.torque = radius > S(0) ? Vec3<S>(arm.cross(one.force) / radius) : Vec3<S>(Vec3<S>::Zero());
+  for (const PointPlace& place : places)
+    radius = std::max(radius, (point_at(place).position - middle).norm());
+  Wrenches<S> wrenches(count_of(places));
+  for (int i = 0; i < count_of(places); ++i) {
+    const Vec3<S> arm = point_at(at(places, i)).position - middle;
+    const Vec3<S>& force = manifolds[at(places, i).manifold].normal;
+    Vec3<S> torque = Vec3<S>::Zero();
+    if (radius > S(0)) torque = arm.cross(force) / radius;
+    wrenches.set(i, force, torque);
   }
-  const auto separation = [&](const PointWrench<S>& one) {
-    return manifolds[one.manifold].points[one.point].separation;
-  };
-  auto next = std::ranges::min_element(wrenches, {}, separation);
+  const auto separation = [&](const PointPlace& place) { return point_at(place).separation; };
+  int next =
+      static_cast<int>(std::ranges::min_element(places, {}, separation) - places.begin());
   for (std::size_t kept = 1;; ++kept) {
-    next->kept = true;
+    at(places, next).kept = true;
     if (kept == most) break;
-    for (PointWrench<S>& one : wrenches) {
-      const S squared =
-          (one.force - next->force).squaredNorm() + (one.torque - next->torque).squaredNorm();
-      one.distance = one.kept ? S(-1) : std::min(one.distance, squared);
-    }
-    next = std::ranges::max_element(wrenches, {}, &PointWrench<S>::distance);
+    next = wrenches.next_after(next);
   }
   for (Manifold<S>& manifold : manifolds) manifold.points.clear();
   // Kept points move to the front, so none is overwritten before it is read.
-  for (const PointWrench<S>& one : wrenches) {
+  for (const PointPlace& one : places) {
     auto& kept = manifolds[one.manifold].points;
     if (one.kept) kept.push_back(kept.data()[one.point]);
   }
@@ -292,9 +338,17 @@ void keep_most_different(std::size_t most, Manifolds<S>& manifolds, trace::Merge
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the memory stays uninitialised.
 template <class S>
 TriangleContacts<S>::TriangleContacts(const Shape<S>& a, const Mesh<S>& b)
-    : a_(a), b_(b), arena_(memory_.data(), memory_.size()), parts_(&arena_), points_(&arena_) {
+    : hull_(std::get_if<Hull<S>>(&a)), b_(b), arena_(memory_.data(), memory_.size()), parts_(&arena_), points_(&arena_) {
   parts_.reserve(16);
   points_.reserve(64);
+}
+
+template <class S> int TriangleContacts<S>::edge_in_mesh(int t, int k) const {
+  const int there = b_.neighbour(t, k);
+  const bool is_lower = there >= 0 && there < t;
+  const std::array<int, 3>& back = at(b_.neighbours, is_lower ? there : t);
+  const int of_lower = back[0] == t ? 0 : (back[1] == t ? 1 : 2);
+  return is_lower ? 3 * there + of_lower : 3 * t + k;
 }
 
 template <class S> FeatureRef TriangleContacts<S>::in_mesh(const FeatureRef& ref, int t) const {
@@ -302,32 +356,32 @@ template <class S> FeatureRef TriangleContacts<S>::in_mesh(const FeatureRef& ref
   if (ref.owner == Owner::A) return ref;
   if (ref.kind == FeatureKind::Face) return face_ref(Owner::B, b_.region(t));
   if (ref.kind == FeatureKind::Vertex) return vertex_ref(Owner::B, at(at(b_.triangles, t), k));
-  const int there = b_.neighbour(t, k);
-  if (there < 0 || there > t) return edge_ref(Owner::B, 3 * t + k);
-  const auto& back = at(b_.neighbours, there);
-  return edge_ref(Owner::B,
-                  3 * there + static_cast<int>(std::ranges::find(back, t) - back.begin()));
+  return edge_ref(Owner::B, edge_in_mesh(t, k));
 }
 
-/// Two edges of one shape cross at a vertex of it, on a face of the other.
 template <class S> FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, Part& part) const {
   const auto& [first, second] = id;
   const int t = part.triangle;
-  if (first.owner == Owner::B || second.owner == Owner::A) {
-    const Hull<S>* hull = std::get_if<Hull<S>>(&a_);
-    if (hull == nullptr || first == second || first.kind != FeatureKind::Edge)
-      return FeatureId::of(in_mesh(first, t), in_mesh(second, t));
-    if (first.owner == Owner::B) {
-      // Edges 1 and 2 meet at vertex 2, 2 and 0 at 0, 0 and 1 at 1.
-      const std::uint32_t missing = 3 - first.index - second.index;
-      if (part.facing < 0) part.facing = facing(*hull, part.normal);
-      return {face_ref(Owner::A, part.facing),
-              in_mesh({Owner::B, FeatureKind::Vertex, (missing + 2) % 3}, t)};
-    }
-    const int vertex = common_vertex(*hull, first.index, second.index);
-    if (vertex < 0) return id;
-    return {vertex_ref(Owner::A, vertex), face_ref(Owner::B, b_.region(t))};
+  if (hull_ != nullptr && first.kind == FeatureKind::Edge && second.kind == FeatureKind::Edge &&
+      first != second) {
+    // Two edges of A cross at a vertex of A on the triangle, two of the triangle at a corner of it
+    // on a face of A. Which edges cross is random, so all three are found, without branches.
+    const int of_b = (first.owner == Owner::B ? 1 : 0) + (second.owner == Owner::B ? 1 : 0);
+    const int vertex = common_vertex(*hull_, first.index, second.index);
+    if (of_b == 0 && vertex < 0) return id;
+    if (of_b == 2 && part.facing < 0) part.facing = facing(*hull_, part.normal);
+    // Edges 0 and 1 meet at corner 1, 1 and 2 at 2, 2 and 0 at 0.
+    const int corner = at(at(b_.triangles, t), (5U - first.index - second.index) % 3);
+    const int edge = edge_in_mesh(t, static_cast<int>(std::min(second.index, 2U)));
+    const int features[] = {vertex, static_cast<int>(first.index), part.facing},
+              of_mesh[] = {b_.region(t), edge, corner};
+    const auto ref = [](Owner owner, int kind, int index) {
+      return FeatureRef(owner, static_cast<FeatureKind>(kind), static_cast<std::uint32_t>(index));
+    };
+    return {ref(Owner::A, of_b, features[of_b]), ref(Owner::B, 2 - of_b, of_mesh[of_b])};
   }
+  if (first.owner == Owner::B || second.owner == Owner::A)
+    return FeatureId::of(in_mesh(first, t), in_mesh(second, t));
   // A vertex on an edge or a corner within a flat region is on its face.
   if (first.kind == FeatureKind::Vertex && second.kind != FeatureKind::Face) {
     const int k = static_cast<int>(second.index);
@@ -377,34 +431,32 @@ void TriangleContacts<S>::finish_group(std::span<Part* const> parts, const ToWor
       recorder->merged({lead.triangle}, lead.end - lead.begin);
     return;
   }
-  std::size_t found = 0;
+  int found = 0;
   for (const Part* part : parts) {
-    found += static_cast<std::size_t>(part->end - part->begin);
+    found += part->end - part->begin;
     contact.scale = std::max(contact.scale, part->scale);
   }
-  DistinctPoints<S> distinct(found, arena_);
+  DistinctPoints<S> distinct(found);
   for (const Part* part : parts)
     for (const ContactPoint<S>& point : points_of(*part)) distinct.add(point, part->triangle);
   const ContactPoints<S> all = distinct.points();
   contact.scale = std::max(contact.scale, scale_of(all));
-  Numbers chosen(&arena_);
-  if (options.reducer != nullptr) {
-    chosen = outline_of<S>(all, lead.normal, depth_rounding(contact.scale), arena_);
-  } else {
-    chosen.resize(all.size());
-    std::iota(chosen.begin(), chosen.end(), 0);
-  }
-  if (chosen.size() > 1) contact.type = face_contact_type(chosen.size());
-  for (std::size_t begin = 0; begin < chosen.size(); begin += kMaxManifoldPoints) {
-    const std::size_t end = std::min(chosen.size(), begin + kMaxManifoldPoints);
+  KeptIndices outline;
+  if (options.reducer != nullptr)
+    outline = outline_of<S>(all, lead.normal, depth_rounding(contact.scale));
+  const std::size_t count = options.reducer != nullptr ? outline.size() : all.size();
+  if (count > 1) contact.type = face_contact_type(count);
+  for (std::size_t begin = 0; begin < count; begin += kMaxManifoldPoints) {
+    const std::size_t end = std::min(count, begin + kMaxManifoldPoints);
     contact.points.clear();
-    for (std::size_t i = begin; i < end; ++i) contact.points.push_back(at(all, chosen[i]));
+    for (std::size_t i = begin; i < end; ++i)
+      contact.points.push_back(outline.empty() ? all[i] : at(all, outline[i]));
     const bool first = is_first && begin == 0;
     finish_contact(to_world, options, contact, manifolds.emplace_back(),
                    first ? recorder : nullptr);
     if (recorder) [[unlikely]] {
-      recorder->merged(mapped(parts, &Part::triangle), static_cast<int>(found));
-      if (first) recorder->reduced_outline_of(all, {chosen.begin(), chosen.end()});
+      recorder->merged(mapped(parts, &Part::triangle), found);
+      if (first) recorder->reduced_outline_of(all, {outline.begin(), outline.end()});
     }
   }
 }
@@ -442,7 +494,8 @@ template <class S> bool TriangleContacts<S>::sort_few(std::span<Part*> sorted) {
 template <class S>
 void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions& options,
                                 Manifolds<S>& manifolds, Recorder<S>* recorder) {
-  std::pmr::vector<Part*> parts(parts_.size(), &arena_), group(parts_.size(), &arena_);
+  Scratch<Part*, 64> sorted(count_of(parts_)), group(count_of(parts_));
+  const std::span<Part*> parts(sorted.data(), parts_.size());
   if (!sort_few(parts)) {
     std::ranges::transform(parts_, parts.begin(), [](Part& part) { return &part; });
     std::ranges::sort(parts, [](const Part* one, const Part* other) {
@@ -452,7 +505,8 @@ void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions
   constexpr S kNearest = static_cast<S>(kFlatEdgeAngle);  // as the distance of unit vectors
   for (std::size_t left = parts.size(); left > 0;) {
     const Vec3<S> normal = parts.front()->normal;
-    std::size_t near = 0, other = 0;
+    int near = 0;
+    std::size_t other = 0;
     for (std::size_t i = 0; i < left; ++i) {
       Part* const part = parts[i];
       const bool is_near = (part->normal - normal).squaredNorm() <= kNearest * kNearest || i == 0;
@@ -460,7 +514,7 @@ void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions
       near += is_near ? 1 : 0;
       other += is_near ? 0 : 1;
     }
-    finish_group({group.data(), near}, to_world, options, manifolds, recorder);
+    finish_group({group.data(), static_cast<std::size_t>(near)}, to_world, options, manifolds, recorder);
     left = other;
   }
   if (options.reducer != nullptr)

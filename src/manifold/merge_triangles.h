@@ -57,6 +57,7 @@ template <class S> class TriangleContacts {
     int facing = -1;  // the face of a hull that looks most along the normal; -1: not yet searched
   };
 
+  int edge_in_mesh(int triangle, int k) const;
   FeatureRef in_mesh(const FeatureRef& ref, int triangle) const;
   FeatureId in_mesh(const FeatureId& id, Part& part) const;
   bool sort_few(std::span<Part*> sorted);
@@ -64,7 +65,7 @@ template <class S> class TriangleContacts {
   void finish_group(std::span<Part* const> parts, const ToWorld<S>& to_world,
                     const CollideOptions& options, Manifolds<S>& manifolds, Recorder<S>* recorder);
 
-  const Shape<S>& a_;
+  const Hull<S>* hull_;  // A, if it is one
   const Mesh<S>& b_;
   std::array<std::byte, 16384> memory_;  // enough for most pairs, without the heap
   std::pmr::monotonic_buffer_resource arena_;
