@@ -4,6 +4,7 @@
 
 #include "core/instantiate.h"
 #include "geometry/mesh.h"
+#include "geometry/prefetch.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/create_contact.h"
@@ -93,8 +94,15 @@ std::optional<CapsuleTouch<S>> next_to_in_plane(const Hull<S>& triangle, const V
 template <class S> SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
   const Mat3<S> to_mesh = b_in_a.rotation.toRotationMatrix().transpose();
   SeenFromMesh<S> seen;
-  for (const Vec3<S>& vertex : hull.vertices)
+  const auto include = [&](const Vec3<S>& vertex) {
     seen.box.include(Vec3<S>(to_mesh * (vertex - b_in_a.position)));
+  };
+  if (hull.is_box()) {  // its vertices need not be fetched from memory
+    for (int i = 0; i < 8; ++i)
+      include(boxes::vector<S>(boxes::vertex_of_box<S>(boxes::three(hull.half_extents), i)));
+  } else {
+    for (const Vec3<S>& vertex : hull.vertices) include(vertex);
+  }
   seen.center = to_mesh * (hull.centroid - b_in_a.position);
   return seen;
 }
@@ -188,6 +196,7 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
 template <class S>
 S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder) {
+  if (!a.is_box()) prefetch_lanes(a), prefetch_topology(a);
   // A record needs every triangle and every axis.
   std::optional<BoxOnTriangles<S>> as_box;
   if (a.is_box() && recorder == nullptr) as_box.emplace(a, b, b_in_a, options);
