@@ -75,34 +75,22 @@ template <class S> struct AabbTree {
     return false;
   }
 
-  /// Fills `places` with the positions for any_place_of(), in its order, without branches on which
-  /// leaves and boxes are hit: these would be mispredicted. Returns false if it may lack room.
+  /// Adds the positions for any_place_of() to `places`, in its order, without branches on which boxes
+  /// of a leaf are hit: they would be mispredicted. Returns false if there may be too many.
   template <std::size_t kMost>
   bool find_places(const Aabb<S>& box, StaticVector<int, kMost>& places) const {
     const OverlapsWith<S> overlaps_box(box);
-    std::array<const Node*, kMost> leaves;
-    std::size_t leaf_count = 0;
-    for (const Node *node = nodes.data(), *end = node + nodes.size(); node != end;) {
-      const bool hit = overlaps_box(node->box);
-      if (leaf_count == kMost) return false;
-      leaves[leaf_count] = node;
-      leaf_count += hit && node->leaf() ? 1 : 0;
-      if (hit || node->leaf())
-        ++node;
-      else
-        node = nodes.data() + node->next;
-    }
-    std::array<int, kMost> found;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < leaf_count; ++i) {
-      const Node& leaf = *leaves[i];
-      if (count + static_cast<std::size_t>(leaf.count) > kMost) return false;
-      for (int place = leaf.next; place < leaf.next + leaf.count; ++place) {
-        found[count] = place;
-        count += overlaps_box(at(boxes, place)) ? 1 : 0;
+    for (int i = 0; i < count_of(nodes);) {
+      const Node& node = at(nodes, i);
+      const bool hit = overlaps_box(node.box);
+      i = hit || node.leaf() ? i + 1 : node.next;
+      if (!hit || !node.leaf()) continue;
+      if (count_of(places) + node.count > static_cast<int>(kMost)) return false;
+      for (int place = node.next; place < node.next + node.count; ++place) {
+        places.push_back(place);
+        places.truncate(places.size() - (overlaps_box(at(boxes, place)) ? 0 : 1));
       }
     }
-    for (std::size_t i = 0; i < count; ++i) places.push_back(found[i]);
     return true;
   }
 

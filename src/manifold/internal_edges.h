@@ -24,9 +24,20 @@ template <class S> class NearTriangles {
 
   const Mesh<S>& mesh() const { return mesh_; }
 
-  template <class Visit> void each(const Visit& visit) const {
-    if (!is_whole_) return mesh_.tree.query(box_, visit);
-    for (const int place : places_) visit(at(mesh_.tree.triangles, place));
+  /// Visits the triangles that are not skipped. First asks for all of them: the answers are random,
+  /// and branches between visits would be mispredicted.
+  template <class Skips, class Visit> void each(const Skips& skips, const Visit& visit) const {
+    if (!is_whole_) {
+      return mesh_.tree.query(box_, [&](int triangle) {
+        if (!skips(triangle)) visit(triangle);
+      });
+    }
+    StaticVector<int, 128> visited;
+    for (const int place : places_) {
+      visited.push_back(at(mesh_.tree.triangles, place));
+      visited.truncate(visited.size() - (skips(visited.back()) ? 1 : 0));
+    }
+    for (const int triangle : visited) visit(triangle);
   }
 
   /// As AabbTree::any_of, over all triangles of the mesh.

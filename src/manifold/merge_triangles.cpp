@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "core/convex_polygon.h"
-#include "core/dot_order.h"
 #include "core/instantiate.h"
 #include "core/pack.h"
 #include "core/scratch.h"
@@ -230,55 +229,12 @@ KeptIndices outline_of(ContactPoints<S> points, const Vec3<S>& normal, S near) {
   return kept;
 }
 
-/// A point of a manifold.
-struct PointPlace {
+/// A unit impulse at a point: its direction, and its torque about the middle of all points in units
+/// of their radius.
+template <class S> struct PointWrench {
   std::size_t manifold, point;
-  bool kept = false;
-};
-
-/// Unit impulses at points: direction, and torque about the middle of all points in units of their
-/// radius. Six rows with a lane for each point, and the squared distance from the nearest kept one:
-/// -1 for those, and for lanes without a point.
-template <class S> class Wrenches {
- public:
-  explicit Wrenches(int count)
-      : stride_((count + lanes::kWidth<S> - 1) / lanes::kWidth<S> * lanes::kWidth<S>),
-        rows_(7 * stride_) {
-    std::fill_n(rows_.data(), 7 * stride_, S(0));
-    for (int i = 0; i < stride_; ++i)
-      row(6)[i] = i < count ? std::numeric_limits<S>::infinity() : S(-1);
-  }
-
-  void set(int i, const Vec3<S>& force, const Vec3<S>& torque) {
-    for (int k = 0; k < 3; ++k) row(k)[i] = force[k], row(3 + k)[i] = torque[k];
-  }
-
-  /// Keeps a point and returns the one that differs most from all kept ones, the first of equals.
-  int next_after(int kept) {
-    using Pack = lanes::Pack<S>;
-    row(6)[kept] = S(-1);
-    Pack most = lanes::all(S(-1));
-    for (int i = 0; i < stride_; i += lanes::kWidth<S>) {
-      Pack squares[6];
-      for (int k = 0; k < 6; ++k) {
-        const Pack gap = lanes::load(row(k) + i) - lanes::all(row(k)[kept]);
-        squares[k] = gap * gap;
-      }
-      const Pack squared = dot_sum<S>(squares[0], squares[1], squares[2]) +
-                           dot_sum<S>(squares[3], squares[4], squares[5]);
-      const Pack least = lanes::smaller(squared, lanes::load(row(6) + i));
-      lanes::store(least, row(6) + i);
-      most = lanes::larger(most, least);
-    }
-    const S* const found = std::find(row(6), row(6) + stride_, lanes::largest<S>(most)[0]);
-    return static_cast<int>(found - row(6));
-  }
-
- private:
-  S* row(int k) { return rows_.data() + k * stride_; }
-
-  int stride_;
-  Scratch<S, 7 * 64> rows_;
+  Vec3<S> force, torque;
+  S distance = std::numeric_limits<S>::infinity();  // squared, from the nearest kept one; -1: kept
 };
 
 /// Step 6. Manifolds without points go, also from the record.
@@ -288,42 +244,43 @@ void keep_most_different(std::size_t most, Manifolds<S>& manifolds, trace::Merge
   for (const Manifold<S>& manifold : manifolds) points += manifold.points.size();
   if (points <= most) return;
   Vec3<S> middle = Vec3<S>::Zero();
-  std::vector<PointPlace> places;
-  places.reserve(points);
-  const auto point_at = [&](const PointPlace& place) -> const ContactPoint<S>& {
-    return manifolds[place.manifold].points[place.point];
-  };
+  std::vector<PointWrench<S>> wrenches;
+  wrenches.reserve(points);
   for (std::size_t m = 0; m < manifolds.size(); ++m) {
     for (std::size_t p = 0; p < manifolds[m].points.size(); ++p) {
-      places.push_back({m, p});
-      middle += manifolds[m].points[p].position;
+      wrenches.push_back({m, p, manifolds[m].normal, manifolds[m].points[p].position});
+      middle += wrenches.back().torque;
     }
   }
-  middle /= static_cast<S>(points);
+  middle /= static_cast<S>(wrenches.size());
   S radius = S(0);
-  for (const PointPlace& place : places)
-    radius = std::max(radius, (point_at(place).position - middle).norm());
-  Wrenches<S> wrenches(count_of(places));
-  for (int i = 0; i < count_of(places); ++i) {
-    const Vec3<S> arm = point_at(at(places, i)).position - middle;
-    const Vec3<S>& force = manifolds[at(places, i).manifold].normal;
-    Vec3<S> torque = Vec3<S>::Zero();
-    if (radius > S(0)) torque = arm.cross(force) / radius;
-    wrenches.set(i, force, torque);
+  for (const PointWrench<S>& one : wrenches)
+    radius = std::max(radius, (one.torque - middle).norm());
+  for (PointWrench<S>& one : wrenches) {
+    const Vec3<S> arm = one.torque - middle;
+    one.torque = radius > S(0) ? Vec3<S>(arm.cross(one.force) / radius) : Vec3<S>(Vec3<S>::Zero());
   }
-  const auto separation = [&](const PointPlace& place) { return point_at(place).separation; };
-  int next =
-      static_cast<int>(std::ranges::min_element(places, {}, separation) - places.begin());
+  const auto separation = [&](const PointWrench<S>& one) {
+    return manifolds[one.manifold].points[one.point].separation;
+  };
+  PointWrench<S>* next = &*std::ranges::min_element(wrenches, {}, separation);
   for (std::size_t kept = 1;; ++kept) {
-    at(places, next).kept = true;
+    next->distance = S(-1);
     if (kept == most) break;
-    next = wrenches.next_after(next);
+    const Vec3<S> force = next->force, torque = next->torque;
+    S farthest = S(-1);
+    for (PointWrench<S>& one : wrenches) {
+      const S squared = (one.force - force).squaredNorm() + (one.torque - torque).squaredNorm();
+      one.distance = std::min(one.distance, squared);
+      next = one.distance > farthest ? &one : next;
+      farthest = std::max(farthest, one.distance);
+    }
   }
   for (Manifold<S>& manifold : manifolds) manifold.points.clear();
   // Kept points move to the front, so none is overwritten before it is read.
-  for (const PointPlace& one : places) {
+  for (const PointWrench<S>& one : wrenches) {
     auto& kept = manifolds[one.manifold].points;
-    if (one.kept) kept.push_back(kept.data()[one.point]);
+    if (one.distance < S(0)) kept.push_back(kept.data()[one.point]);
   }
   for (std::size_t m = manifolds.size(); m-- > 0;) {
     if (!manifolds[m].points.empty()) continue;
@@ -461,47 +418,15 @@ void TriangleContacts<S>::finish_group(std::span<Part* const> parts, const ToWor
   }
 }
 
-/// Counts the parts before each one, which needs no branches: those on depths would be mispredicted.
-/// Returns false if there are many parts, or two of one triangle that are equally deep.
-template <class S> bool TriangleContacts<S>::sort_few(std::span<Part*> sorted) {
-  using Counts = lanes::Flags<S>;
-  using Count = std::remove_cvref_t<decltype(Counts{}[0])>;
-  const int count = count_of(sorted);
-  if (count > 32) return false;
-  int all_same = 0;
-  for (int first = 0; first < count; first += lanes::kWidth<S>) {
-    const auto part = [&](int lane) -> Part& {
-      return at(parts_, std::min(first + lane, count - 1));
-    };
-    const auto depths = lanes::each<S>([&](int lane) { return part(lane).deepest; });
-    const auto triangles =
-        lanes::pack_of<Counts>([&](int lane) -> Count { return part(lane).triangle; });
-    Counts before = {}, same = {};
-    for (const Part& other : parts_) {
-      const Counts is_equal = lanes::all(other.deepest) == depths;
-      const Count triangle = other.triangle;
-      before -= (lanes::all(other.deepest) < depths) | (is_equal & (triangle < triangles));
-      same -= is_equal & (triangle == triangles);
-    }
-    for (int lane = 0; lane < std::min(lanes::kWidth<S>, count - first); ++lane) {
-      at(sorted, static_cast<int>(before[lane])) = &part(lane);
-      all_same += static_cast<int>(same[lane]);
-    }
-  }
-  return all_same == count;
-}
-
 template <class S>
 void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions& options,
                                 Manifolds<S>& manifolds, Recorder<S>* recorder) {
   Scratch<Part*, 64> sorted(count_of(parts_)), group(count_of(parts_));
   const std::span<Part*> parts(sorted.data(), parts_.size());
-  if (!sort_few(parts)) {
-    std::ranges::transform(parts_, parts.begin(), [](Part& part) { return &part; });
-    std::ranges::sort(parts, [](const Part* one, const Part* other) {
-      return std::tie(one->deepest, one->triangle) < std::tie(other->deepest, other->triangle);
-    });
-  }
+  std::ranges::transform(parts_, parts.begin(), [](Part& part) { return &part; });
+  std::ranges::sort(parts, [](const Part* one, const Part* other) {
+    return std::tie(one->deepest, one->triangle) < std::tie(other->deepest, other->triangle);
+  });
   constexpr S kNearest = static_cast<S>(kFlatEdgeAngle);  // as the distance of unit vectors
   for (std::size_t left = parts.size(); left > 0;) {
     const Vec3<S> normal = parts.front()->normal;

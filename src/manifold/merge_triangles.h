@@ -60,7 +60,6 @@ template <class S> class TriangleContacts {
   int edge_in_mesh(int triangle, int k) const;
   FeatureRef in_mesh(const FeatureRef& ref, int triangle) const;
   FeatureId in_mesh(const FeatureId& id, Part& part) const;
-  bool sort_few(std::span<Part*> sorted);
   ContactPoints<S> points_of(const Part& part) const;
   void finish_group(std::span<Part* const> parts, const ToWorld<S>& to_world,
                     const CollideOptions& options, Manifolds<S>& manifolds, Recorder<S>* recorder);
