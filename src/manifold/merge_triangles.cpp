@@ -300,45 +300,37 @@ TriangleContacts<S>::TriangleContacts(const Shape<S>& a, const Mesh<S>& b)
   points_.reserve(64);
 }
 
-template <class S> int TriangleContacts<S>::edge_in_mesh(int t, int k) const {
-  const int there = b_.neighbour(t, k);
-  const bool is_lower = there >= 0 && there < t;
-  const std::array<int, 3>& back = at(b_.neighbours, is_lower ? there : t);
-  const int of_lower = back[0] == t ? 0 : (back[1] == t ? 1 : 2);
-  return is_lower ? 3 * there + of_lower : 3 * t + k;
-}
-
 template <class S> FeatureRef TriangleContacts<S>::in_mesh(const FeatureRef& ref, int t) const {
   const int k = static_cast<int>(ref.index);
   if (ref.owner == Owner::A) return ref;
   if (ref.kind == FeatureKind::Face) return face_ref(Owner::B, b_.region(t));
   if (ref.kind == FeatureKind::Vertex) return vertex_ref(Owner::B, at(at(b_.triangles, t), k));
-  return edge_ref(Owner::B, edge_in_mesh(t, k));
+  const int there = b_.neighbour(t, k);
+  // Which triangle is lower is random, and a branch would be mispredicted.
+  const bool is_lower = there >= 0 && there < t;
+  const auto& back = at(b_.neighbours, is_lower ? there : t);
+  const int of_lower = back[0] == t ? 0 : (back[1] == t ? 1 : 2);
+  return edge_ref(Owner::B, is_lower ? 3 * there + of_lower : 3 * t + k);
 }
 
+/// Two edges of one shape cross at a vertex of it, on a face of the other.
 template <class S> FeatureId TriangleContacts<S>::in_mesh(const FeatureId& id, Part& part) const {
   const auto& [first, second] = id;
   const int t = part.triangle;
-  if (hull_ != nullptr && first.kind == FeatureKind::Edge && second.kind == FeatureKind::Edge &&
-      first != second) {
-    // Two edges of A cross at a vertex of A on the triangle, two of the triangle at a corner of it
-    // on a face of A. Which edges cross is random, so all three are found, without branches.
-    const int of_b = (first.owner == Owner::B ? 1 : 0) + (second.owner == Owner::B ? 1 : 0);
+  if (first.owner == Owner::B || second.owner == Owner::A) {
+    if (hull_ == nullptr || first == second || first.kind != FeatureKind::Edge)
+      return FeatureId::of(in_mesh(first, t), in_mesh(second, t));
+    if (first.owner == Owner::B) {
+      // Edges 1 and 2 meet at vertex 2, 2 and 0 at 0, 0 and 1 at 1.
+      const std::uint32_t missing = 3 - first.index - second.index;
+      if (part.facing < 0) part.facing = facing(*hull_, part.normal);
+      return {face_ref(Owner::A, part.facing),
+              in_mesh({Owner::B, FeatureKind::Vertex, (missing + 2) % 3}, t)};
+    }
     const int vertex = common_vertex(*hull_, first.index, second.index);
-    if (of_b == 0 && vertex < 0) return id;
-    if (of_b == 2 && part.facing < 0) part.facing = facing(*hull_, part.normal);
-    // Edges 0 and 1 meet at corner 1, 1 and 2 at 2, 2 and 0 at 0.
-    const int corner = at(at(b_.triangles, t), (5U - first.index - second.index) % 3);
-    const int edge = edge_in_mesh(t, static_cast<int>(std::min(second.index, 2U)));
-    const int features[] = {vertex, static_cast<int>(first.index), part.facing},
-              of_mesh[] = {b_.region(t), edge, corner};
-    const auto ref = [](Owner owner, int kind, int index) {
-      return FeatureRef(owner, static_cast<FeatureKind>(kind), static_cast<std::uint32_t>(index));
-    };
-    return {ref(Owner::A, of_b, features[of_b]), ref(Owner::B, 2 - of_b, of_mesh[of_b])};
+    if (vertex < 0) return id;
+    return {vertex_ref(Owner::A, vertex), face_ref(Owner::B, b_.region(t))};
   }
-  if (first.owner == Owner::B || second.owner == Owner::A)
-    return FeatureId::of(in_mesh(first, t), in_mesh(second, t));
   // A vertex on an edge or a corner within a flat region is on its face.
   if (first.kind == FeatureKind::Vertex && second.kind != FeatureKind::Face) {
     const int k = static_cast<int>(second.index);

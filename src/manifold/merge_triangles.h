@@ -57,7 +57,6 @@ template <class S> class TriangleContacts {
     int facing = -1;  // the face of a hull that looks most along the normal; -1: not yet searched
   };
 
-  int edge_in_mesh(int triangle, int k) const;
   FeatureRef in_mesh(const FeatureRef& ref, int triangle) const;
   FeatureId in_mesh(const FeatureId& id, Part& part) const;
   ContactPoints<S> points_of(const Part& part) const;
