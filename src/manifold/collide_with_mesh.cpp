@@ -94,14 +94,12 @@ std::optional<CapsuleTouch<S>> next_to_in_plane(const Hull<S>& triangle, const V
 template <class S> SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
   const Mat3<S> to_mesh = b_in_a.rotation.toRotationMatrix().transpose();
   SeenFromMesh<S> seen;
-  const auto include = [&](const Vec3<S>& vertex) {
+  const boxes::Three<S> half = boxes::three(hull.half_extents);
+  for (int i = 0; i < hull.vertex_count(); ++i) {
+    // Those of a box need not be fetched from memory.
+    const Vec3<S> vertex =
+        hull.is_box() ? boxes::vector<S>(boxes::vertex_of_box<S>(half, i)) : at(hull.vertices, i);
     seen.box.include(Vec3<S>(to_mesh * (vertex - b_in_a.position)));
-  };
-  if (hull.is_box()) {  // its vertices need not be fetched from memory
-    for (int i = 0; i < 8; ++i)
-      include(boxes::vector<S>(boxes::vertex_of_box<S>(boxes::three(hull.half_extents), i)));
-  } else {
-    for (const Vec3<S>& vertex : hull.vertices) include(vertex);
   }
   seen.center = to_mesh * (hull.centroid - b_in_a.position);
   return seen;

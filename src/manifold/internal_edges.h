@@ -27,11 +27,8 @@ template <class S> class NearTriangles {
   /// Visits the triangles that are not skipped. First asks for all of them: the answers are random,
   /// and branches between visits would be mispredicted.
   template <class Skips, class Visit> void each(const Skips& skips, const Visit& visit) const {
-    if (!is_whole_) {
-      return mesh_.tree.query(box_, [&](int triangle) {
-        if (!skips(triangle)) visit(triangle);
-      });
-    }
+    if (!is_whole_)
+      return mesh_.tree.query(box_, [&](int t) { return skips(t) ? void() : visit(t); });
     StaticVector<int, 128> visited;
     for (const int place : places_) {
       visited.push_back(at(mesh_.tree.triangles, place));

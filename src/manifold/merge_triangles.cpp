@@ -10,7 +10,6 @@
 
 #include "core/convex_polygon.h"
 #include "core/instantiate.h"
-#include "core/pack.h"
 #include "core/scratch.h"
 #include "geometry/box_topology.h"
 #include "manifold/collide_pairs.h"
@@ -22,8 +21,7 @@ namespace {
 /// The vertex that two undirected edges share; -1 for none.
 template <class S> int common_vertex(const Hull<S>& hull, std::uint32_t one, std::uint32_t other) {
   // Those of a box need not be fetched from memory.
-  const HalfEdge* const edges =
-      hull.is_box() ? kBox.half_edges.data() : hull.half_edges.data();
+  const HalfEdge* const edges = hull.is_box() ? kBox.half_edges.data() : hull.half_edges.data();
   const auto end = [&](std::uint32_t half) { return edges[half].origin; };
   const int from = end(2 * one), to = end(2 * one + 1);
   // No short circuits: which ends meet is random, and branches would be mispredicted.
@@ -36,9 +34,8 @@ template <class S> int common_vertex(const Hull<S>& hull, std::uint32_t one, std
 /// The face that looks most along a direction.
 template <class S> int facing(const Hull<S>& hull, const Vec3<S>& direction) {
   if (hull.is_box()) {
-    const Vec3<S> size = direction.cwiseAbs();
-    const int of_two = size.y() > size.x() ? 1 : 0;
-    const int axis = size.z() > std::max(size.x(), size.y()) ? 2 : of_two;
+    int axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
     return 2 * axis + (direction[axis] < S(0) ? 1 : 0);
   }
   const auto best = std::ranges::max_element(
@@ -166,36 +163,17 @@ template <class S> class Outline {
   Scratch<int, 64> corners_;
 };
 
-/// Whether up to four points are certainly all corners in Outline: each is farther than `near` from
-/// every line through two others, and none of four is inside the triangle of the others. Each
-/// triangle leaves out one point, and two of their areas, with alternating signs, are positive
-/// (Radon 1921).
-template <class S>
-bool are_clear_corners(ContactPoints<S> points, const Vec3<S>& normal, S near) {
-  const std::size_t count = points.size();
-  if (count == 1) return true;
-  const auto to = [&](std::size_t i) -> Vec3<S> {
-    return points[i].position - points[0].position;
-  };
+/// Whether one to three points are corners of their Outline, without computing it: seen along the
+/// normal each is farther than twice `near` from the others and the line through them.
+template <class S> bool are_clear_corners(ContactPoints<S> points, const Vec3<S>& normal, S near) {
+  if (points.size() == 1) return true;
   const S clear = S(8) * near;
-  const Vec3<S> first = to(1);
-  if (count == 2) return normal.cross(first).norm() > clear;
-  const Vec3<S> second = to(2);
-  const S far = std::max(first.squaredNorm(), second.squaredNorm());
-  const S without_third = normal.dot(first.cross(second));
-  if (count == 3) return std::abs(without_third) > clear * std::sqrt(far);
-  const Vec3<S> third = to(3);
-  const S without_second = normal.dot(first.cross(third));
-  const S without_first = normal.dot(second.cross(third));
-  const S areas[] = {without_first - without_second + without_third, -without_first, without_second,
-                     -without_third};
-  const S least = clear * std::sqrt(std::max(far, third.squaredNorm()));
-  int positive = 0, negative = 0;
-  for (const S area : areas) {
-    positive += area > least ? 1 : 0;
-    negative += area < -least ? 1 : 0;
-  }
-  return positive == 2 && negative == 2;
+  const Vec3<S> one = points[1].position - points[0].position;
+  if (points.size() == 2) return normal.cross(one).norm() > clear;
+  const Vec3<S> other = points[2].position - points[0].position;
+  // No side is longer than twice the longer of these two.
+  const S longer = std::sqrt(std::max(one.squaredNorm(), other.squaredNorm()));
+  return points.size() == 3 && std::abs(normal.dot(one.cross(other))) > clear * longer;
 }
 
 /// The largest coordinate, metres.
@@ -207,10 +185,9 @@ template <class S> S scale_of(ContactPoints<S> points) {
 }
 
 /// Step 4: ascending indices, at most kMaxManifoldPoints.
-template <class S>
-KeptIndices outline_of(ContactPoints<S> points, const Vec3<S>& normal, S near) {
+template <class S> KeptIndices outline_of(ContactPoints<S> points, const Vec3<S>& normal, S near) {
   KeptIndices kept;
-  if (points.size() <= 4 && are_clear_corners(points, normal, near)) {
+  if (are_clear_corners(points, normal, near)) {
     for (int i = 0; i < count_of(points); ++i) kept.push_back(i);
     return kept;
   }
@@ -295,7 +272,7 @@ void keep_most_different(std::size_t most, Manifolds<S>& manifolds, trace::Merge
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the memory stays uninitialised.
 template <class S>
 TriangleContacts<S>::TriangleContacts(const Shape<S>& a, const Mesh<S>& b)
-    : hull_(std::get_if<Hull<S>>(&a)), b_(b), arena_(memory_.data(), memory_.size()), parts_(&arena_), points_(&arena_) {
+    : hull_(std::get_if<Hull<S>>(&a)), b_(b) {
   parts_.reserve(16);
   points_.reserve(64);
 }
@@ -306,11 +283,10 @@ template <class S> FeatureRef TriangleContacts<S>::in_mesh(const FeatureRef& ref
   if (ref.kind == FeatureKind::Face) return face_ref(Owner::B, b_.region(t));
   if (ref.kind == FeatureKind::Vertex) return vertex_ref(Owner::B, at(at(b_.triangles, t), k));
   const int there = b_.neighbour(t, k);
-  // Which triangle is lower is random, and a branch would be mispredicted.
-  const bool is_lower = there >= 0 && there < t;
-  const auto& back = at(b_.neighbours, is_lower ? there : t);
-  const int of_lower = back[0] == t ? 0 : (back[1] == t ? 1 : 2);
-  return edge_ref(Owner::B, is_lower ? 3 * there + of_lower : 3 * t + k);
+  if (there < 0 || there > t) return edge_ref(Owner::B, 3 * t + k);
+  const auto& back = at(b_.neighbours, there);
+  return edge_ref(Owner::B,
+                  3 * there + static_cast<int>(std::ranges::find(back, t) - back.begin()));
 }
 
 /// Two edges of one shape cross at a vertex of it, on a face of the other.
@@ -413,8 +389,8 @@ void TriangleContacts<S>::finish_group(std::span<Part* const> parts, const ToWor
 template <class S>
 void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions& options,
                                 Manifolds<S>& manifolds, Recorder<S>* recorder) {
-  Scratch<Part*, 64> sorted(count_of(parts_)), group(count_of(parts_));
-  const std::span<Part*> parts(sorted.data(), parts_.size());
+  Scratch<Part*, 128> scratch(2 * count_of(parts_));
+  const std::span<Part*> parts(scratch.data(), parts_.size()), group(parts.end(), parts_.size());
   std::ranges::transform(parts_, parts.begin(), [](Part& part) { return &part; });
   std::ranges::sort(parts, [](const Part* one, const Part* other) {
     return std::tie(one->deepest, one->triangle) < std::tie(other->deepest, other->triangle);
@@ -422,8 +398,7 @@ void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions
   constexpr S kNearest = static_cast<S>(kFlatEdgeAngle);  // as the distance of unit vectors
   for (std::size_t left = parts.size(); left > 0;) {
     const Vec3<S> normal = parts.front()->normal;
-    int near = 0;
-    std::size_t other = 0;
+    std::size_t near = 0, other = 0;
     for (std::size_t i = 0; i < left; ++i) {
       Part* const part = parts[i];
       const bool is_near = (part->normal - normal).squaredNorm() <= kNearest * kNearest || i == 0;
@@ -431,7 +406,7 @@ void TriangleContacts<S>::merge(const ToWorld<S>& to_world, const CollideOptions
       near += is_near ? 1 : 0;
       other += is_near ? 0 : 1;
     }
-    finish_group({group.data(), static_cast<std::size_t>(near)}, to_world, options, manifolds, recorder);
+    finish_group(group.first(near), to_world, options, manifolds, recorder);
     left = other;
   }
   if (options.reducer != nullptr)
