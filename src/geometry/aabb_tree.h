@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/at.h"
+#include "core/static_vector.h"
 #include "core/vec3.h"
 #include "geometry/aabb.h"
 
@@ -58,20 +59,36 @@ template <class S> struct AabbTree {
   /// True if holds(triangle) for any triangle that a query with `box` visits. Same order as query;
   /// stops at the first one.
   template <class Holds> bool any_of(const Aabb<S>& box, Holds&& holds) const {
-    return any_place_of(box, [&](int place) { return holds(at(triangles, place)); });
-  }
-  /// The same, but `holds` gets positions in `triangles` and `boxes`.
-  template <class Holds> bool any_place_of(const Aabb<S>& box, Holds&& holds) const {
     const OverlapsWith<S> overlaps_box(box);
+    const auto holds_at = [&](int place) { return holds(at(triangles, place)); };
     const int node_count = count_of(nodes);
     int i = 0;
     while (i < node_count) {
       const Node& node = at(nodes, i);
       const bool hit = overlaps_box(node.box);
-      if (hit && node.leaf() && any_of_leaf(node, overlaps_box, holds)) return true;
+      if (hit && node.leaf() && any_of_leaf(node, overlaps_box, holds_at)) return true;
       i = hit || node.leaf() ? i + 1 : node.next;
     }
     return false;
+  }
+
+  /// Adds the positions in `triangles` that query() visits to `places`. Has no branches on which boxes
+  /// of a leaf are hit: they would be mispredicted. Returns false if there may be too many.
+  template <std::size_t kMost>
+  bool find_places(const Aabb<S>& box, StaticVector<int, kMost>& places) const {
+    const OverlapsWith<S> overlaps_box(box);
+    for (int i = 0; i < count_of(nodes);) {
+      const Node& node = at(nodes, i);
+      const bool hit = overlaps_box(node.box);
+      i = hit || node.leaf() ? i + 1 : node.next;
+      if (!hit || !node.leaf()) continue;
+      if (count_of(places) + node.count > static_cast<int>(kMost)) return false;
+      for (int place = node.next; place < node.next + node.count; ++place) {
+        places.push_back(place);
+        places.truncate(places.size() - (overlaps_box(at(boxes, place)) ? 0 : 1));
+      }
+    }
+    return true;
   }
 
   /// The triangles of query() in the same order, as candidates, with the traversal that found them.

@@ -4,6 +4,7 @@
 
 #include "core/instantiate.h"
 #include "geometry/mesh.h"
+#include "geometry/prefetch.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/create_contact.h"
@@ -93,8 +94,13 @@ std::optional<CapsuleTouch<S>> next_to_in_plane(const Hull<S>& triangle, const V
 template <class S> SeenFromMesh<S> seen_from_mesh(const Hull<S>& hull, const Pose<S>& b_in_a) {
   const Mat3<S> to_mesh = b_in_a.rotation.toRotationMatrix().transpose();
   SeenFromMesh<S> seen;
-  for (const Vec3<S>& vertex : hull.vertices)
+  const boxes::Three<S> half = boxes::three(hull.half_extents);
+  for (int i = 0; i < hull.vertex_count(); ++i) {
+    // Those of a box need not be fetched from memory.
+    const Vec3<S> vertex =
+        hull.is_box() ? boxes::vector<S>(boxes::vertex_of_box<S>(half, i)) : at(hull.vertices, i);
     seen.box.include(Vec3<S>(to_mesh * (vertex - b_in_a.position)));
+  }
   seen.center = to_mesh * (hull.centroid - b_in_a.position);
   return seen;
 }
@@ -188,6 +194,7 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
 template <class S>
 S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder) {
+  if (!a.is_box()) prefetch_lanes(a), prefetch_topology(a);
   // A record needs every triangle and every axis.
   std::optional<BoxOnTriangles<S>> as_box;
   if (a.is_box() && recorder == nullptr) as_box.emplace(a, b, b_in_a, options);

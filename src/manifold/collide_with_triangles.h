@@ -271,7 +271,7 @@ void fix_near_points(const SeenFromMesh<S>& shape, const NearTriangles<S>& near,
 /// triangle is near, a lower bound from the boxes, for the record.
 ///
 /// is_clear(triangle) is true for triangles whose separation is known to be above the margin; they
-/// are skipped.
+/// are skipped, unless recorded.
 template <class S, class Collide, class OnFace, class IsClear>
 S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder,
@@ -282,12 +282,11 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const Aabb<S> box{shape.box.lower - grown, shape.box.upper + grown};
 
   const NearTriangles<S> near(b, box);
-  std::optional<TriangleHull<S>> hull;
+  thread_local std::optional<TriangleHull<S>> hull;  // kept, because it has nine allocations
   S least = std::numeric_limits<S>::infinity();
   S kept = std::numeric_limits<S>::infinity();  // of added or skipped contacts
   LeftOut<S> left_out;
   const auto collide_triangle = [&](int index) {
-    if (is_clear(index)) return;
     const PlacedTriangle<S> placed(b, index, b_in_a, hull);
     Contact<S> contact;
     const S separation = collide(placed, contact);
@@ -329,7 +328,7 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   if (recorder) [[unlikely]] {
     for (const int index : recorder->query_tree(b, box)) collide_triangle(index);
   } else {
-    near.each(collide_triangle);
+    near.each(is_clear, collide_triangle);
   }
   left_out.ease(kept, margin, is_closest_of_round(shape, left_out.depth), depth_rounding(reach));
   sink.add(left_out.contact, left_out.triangle);

@@ -19,19 +19,22 @@ namespace contactscope {
 template <class S> class NearTriangles {
  public:
   /// `mesh` must outlive this. `box`: mesh frame.
-  NearTriangles(const Mesh<S>& mesh, const Aabb<S>& box) : mesh_(mesh), box_(box) {
-    is_whole_ = !mesh.tree.any_place_of(box, [&](int place) {
-      if (places_.size() == places_.capacity()) return true;
-      places_.push_back(place);
-      return false;
-    });
-  }
+  NearTriangles(const Mesh<S>& mesh, const Aabb<S>& box)
+      : mesh_(mesh), box_(box), is_whole_(mesh.tree.find_places(box, places_)) {}
 
   const Mesh<S>& mesh() const { return mesh_; }
 
-  template <class Visit> void each(const Visit& visit) const {
-    if (!is_whole_) return mesh_.tree.query(box_, visit);
-    for (const int place : places_) visit(at(mesh_.tree.triangles, place));
+  /// Visits the triangles that are not skipped. First asks for all of them: the answers are random,
+  /// and branches between visits would be mispredicted.
+  template <class Skips, class Visit> void each(const Skips& skips, const Visit& visit) const {
+    if (!is_whole_)
+      return mesh_.tree.query(box_, [&](int t) { return skips(t) ? void() : visit(t); });
+    StaticVector<int, 128> visited;
+    for (const int place : places_) {
+      visited.push_back(at(mesh_.tree.triangles, place));
+      visited.truncate(visited.size() - (skips(visited.back()) ? 1 : 0));
+    }
+    for (const int triangle : visited) visit(triangle);
   }
 
   /// As AabbTree::any_of, over all triangles of the mesh.

@@ -63,12 +63,12 @@ template <class S> class TriangleContacts {
   void finish_group(std::span<Part* const> parts, const ToWorld<S>& to_world,
                     const CollideOptions& options, Manifolds<S>& manifolds, Recorder<S>* recorder);
 
-  const Shape<S>& a_;
+  const Hull<S>* hull_;  // A, if it is one
   const Mesh<S>& b_;
   std::array<std::byte, 16384> memory_;  // enough for most pairs, without the heap
-  std::pmr::monotonic_buffer_resource arena_;
-  std::pmr::vector<Part> parts_;
-  std::pmr::vector<ContactPoint<S>> points_;
+  std::pmr::monotonic_buffer_resource arena_{memory_.data(), memory_.size()};
+  std::pmr::vector<Part> parts_{&arena_};
+  std::pmr::vector<ContactPoint<S>> points_{&arena_};
 };
 
 }  // namespace contactscope

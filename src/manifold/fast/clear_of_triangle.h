@@ -52,14 +52,16 @@ template <class S> class ClearOfTriangle {
     const S separation = separation_ + kRounding * std::max(std::max(far[0], far[1]), far[2]);
     const Three gaps = lanes::larger(Three(least - upper_), Three(lower_ - most));
     const S clearly = hull_.is_box() ? separation : kSharp * separation + other_axes_;
-    if ((boxes::lane_bits<S>(gaps > clearly) & 7U) != 0) return true;
+    const bool is_outside = (boxes::lane_bits<S>(gaps > clearly) & 7U) != 0;
+    if (is_outside && !hull_.is_box()) return true;
 
     const Three normal = turned(mesh_.normal(triangle));
     const Three heights = normal * corners[0];
     const S height = heights[0] + heights[1] + heights[2];
     if (hull_.is_box()) {
       const Three reach = boxes::absolute<S>(normal) * upper_;
-      return std::abs(height) - (reach[0] + reach[1] + reach[2]) > separation;
+      // No short circuit: it would be mispredicted.
+      return is_outside | (std::abs(height) - (reach[0] + reach[1] + reach[2]) > separation);
     }
     return off_plane(normal, height, separation) || outside_face(corners, separation) ||
            outside_outline(corners, clearly);
