@@ -249,7 +249,7 @@ PlacedShapes random_on_grid(test::Random& random, double size) {
   return random_on_terrain(random, make_grid(4 * size, 4 * size, 32, 32, rough * size), size);
 }
 
-// Triangles are sorted and grouped anew, from the contacts of single triangles.
+// The oracle sorts and groups the contacts of single triangles.
 TEST(MergeTriangles, GroupsAreInTheOrderOfTheirDeepestTriangles) {
   test::Random random(374);
   CollideOptions every = kByTriangle, merged = kMerged;
