@@ -24,8 +24,8 @@ template <class S> class NearTriangles {
 
   const Mesh<S>& mesh() const { return mesh_; }
 
-  /// Visits the triangles that are not skipped. First asks for all of them: the answers are random,
-  /// and branches between visits would be mispredicted.
+  /// Visits the triangles that `skips` does not exclude. Tests all before the first visit: which ones
+  /// it excludes is random, and branches between visits would be mispredicted.
   template <class Skips, class Visit> void each(const Skips& skips, const Visit& visit) const {
     if (!is_whole_)
       return mesh_.tree.query(box_, [&](int t) { return skips(t) ? void() : visit(t); });

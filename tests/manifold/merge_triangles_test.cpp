@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/convex_polygon.h"
 #include "geometry/primitives.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
@@ -240,6 +241,122 @@ TEST(MergeTriangles, ARecordHasTheTrianglesAndTheMergedPoints) {
       EXPECT_EQ(contactscope::at(record.reduction->points, record.reduction->kept[k]).id,
                 record.manifolds[0].points[k].id);
   }
+}
+
+/// On grounds from flat to rough.
+PlacedShapes random_on_grid(test::Random& random, double size) {
+  const double rough = random.index(3) == 0 ? 0 : random.decade(-3, -0.5);
+  return random_on_terrain(random, make_grid(4 * size, 4 * size, 32, 32, rough * size), size);
+}
+
+// The oracle sorts and groups the contacts of single triangles.
+TEST(MergeTriangles, GroupsAreInTheOrderOfTheirDeepestTriangles) {
+  test::Random random(374);
+  CollideOptions every = kByTriangle, merged = kMerged;
+  every.reducer = merged.reducer = nullptr;
+  int several = 0;
+  for (int i = 0; i < 600; ++i) {
+    const PlacedShapes pair = random_on_grid(random, 1);
+    Manifolds<double> left = manifolds_of(pair, every);
+    std::sort(left.begin(), left.end(), [](const auto& one, const auto& other) {
+      return std::pair(deepest_of(one), one.triangle) <
+             std::pair(deepest_of(other), other.triangle);
+    });
+    std::vector<Vec3d> expected, normals;
+    while (!left.empty()) {
+      expected.push_back(left.front().normal);
+      std::erase_if(left, [&](const Manifold<double>& manifold) {
+        return (manifold.normal - expected.back()).norm() <= kFlatEdgeAngle;
+      });
+    }
+    for (const Manifold<double>& manifold : manifolds_of(pair, merged))
+      if (normals.empty() || normals.back() != manifold.normal) normals.push_back(manifold.normal);
+    ASSERT_EQ(normals, expected) << i;
+    several += normals.size() > 1 ? 1 : 0;
+  }
+  EXPECT_GT(several, 60);
+}
+
+/// The farthest a point is outside a convex polygon in the plane; negative inside.
+double height_above(const std::vector<Vec2d>& polygon, const Vec2d& point) {
+  double most = -1e9;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2d from = polygon[k], along = polygon[(k + 1) % polygon.size()] - from;
+    most = std::max(most, cross(Vec2d(point - from), along) / along.norm());
+  }
+  return most;
+}
+
+// Andrew's monotone chain is the oracle, and the points without a reducer.
+template <class S> void expect_outlines(test::Random& random, double size, int& dropped) {
+  const double rounding = size * (std::is_same_v<S, float> ? 1e-4 : 1e-12);
+  CollideOptions every = kMerged, outlines = kMerged;
+  every.reducer = nullptr;
+  outlines.reduction.max_points = static_cast<int>(kMaxManifoldPoints);
+  const PlacedShapes pair = random_on_grid(random, size);
+  const Manifolds<S> all = manifolds_of<S>(pair, every), kept = manifolds_of<S>(pair, outlines);
+  if (all.size() != kept.size()) return;  // a group had too many points for one manifold
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    std::vector<Vec3d> places, corners;
+    for (const ContactPoint<S>& point : all[m].points)
+      places.push_back(point.position.template cast<double>());
+    for (const ContactPoint<S>& point : kept[m].points)
+      corners.push_back(point.position.template cast<double>());
+    const PlaneFrame<double> plane(places[0], test::normal_of(all[m]).normalized());
+    const auto seen = [&](const Vec3d& place) { return plane.seen(place); };
+    const std::vector<Vec2d> in_plane = mapped(places, seen), kept_there = mapped(corners, seen);
+    const std::vector<Vec2d> outline = convex_polygon(kept_there);
+    for (const Vec2d& place : in_plane) {
+      double nearest = 1e9;
+      for (const Vec2d& corner : kept_there) nearest = std::min(nearest, (corner - place).norm());
+      if (nearest == 0) continue;
+      ++dropped;
+      if (outline.size() > 2) {
+        ASSERT_LT(height_above(outline, place), rounding);
+      } else {
+        ASSERT_LT(std::min(nearest, std::abs(turn(outline.front(), outline.back(), place)) /
+                                        (outline.back() - outline.front()).norm()),
+                  rounding);
+      }
+    }
+    EXPECT_NEAR(deepest_of(all[m]), deepest_of(kept[m]), rounding);
+  }
+}
+
+TEST(MergeTriangles, TheOutlineOfAGroupHoldsItsPoints) {
+  test::Random random(375);
+  int in_float = 0, in_double = 0;
+  for (const double size : {1e-4, 1.0, 1e4})
+    for (int i = 0; i < 200; ++i) {
+      expect_outlines<float>(random, size, in_float);
+      expect_outlines<double>(random, size, in_double);
+    }
+  EXPECT_GT(in_float, 1000);
+  EXPECT_GT(in_double, 1000);
+}
+
+// The special path of boxes: the same bits as for a hull that is not known to be a box.
+TEST(MergeTriangles, ABoxMergesAsAnyHull) {
+  test::Random random(376);
+  int points = 0;
+  for (int i = 0; i < 600; ++i) {
+    PlacedShapes pair = random_on_grid(random, 1);
+    pair.a = test::random_box(random, 0.5, 3);
+    const Manifolds<double> of_box = manifolds_of(pair, kMerged);
+    std::get<Hull<double>>(pair.a).half_extents.setZero();
+    const Manifolds<double> of_hull = manifolds_of(pair, kMerged);
+    ASSERT_EQ(of_box.size(), of_hull.size()) << i;
+    for (std::size_t m = 0; m < of_box.size(); ++m) {
+      ASSERT_EQ(of_box[m].normal, of_hull[m].normal) << i;
+      ASSERT_EQ(test::ids_of(of_box[m]), test::ids_of(of_hull[m])) << i;
+      for (std::size_t p = 0; p < of_box[m].points.size(); ++p) {
+        ASSERT_EQ(of_box[m].points[p].position, of_hull[m].points[p].position) << i;
+        ASSERT_EQ(of_box[m].points[p].separation, of_hull[m].points[p].separation) << i;
+      }
+      points += static_cast<int>(of_box[m].points.size());
+    }
+  }
+  EXPECT_GT(points, 1000);
 }
 
 }  // namespace
