@@ -30,15 +30,6 @@ class Formats : public testing::Test {
   std::string text(const std::string& file) { return read_text(folder_ / ("out/" + file)); }
   std::set<std::string> files() { return files_below(folder_ / "out"); }
 
-  /// A program for PATH that writes its arguments and counts its input.
-  std::string fake_ffmpeg(const std::string& rest) {
-    const std::string path =
-        folder_.write("bin/ffmpeg", "#!/bin/sh\nprintf '%s\\n' \"$@\" > '" +
-                                        (folder_ / "arguments") + "'\n" + rest);
-    chmod(path.c_str(), 0755);
-    return "PATH='" + (folder_ / "bin") + "':/usr/bin:/bin";
-  }
-
   TemporaryFolder folder_;
   std::string scenario_ = folder_.write("group/idea.toml", small_scenario());
 };
@@ -113,41 +104,7 @@ TEST_F(Formats, UnknownFormatsAreRefusedWithTheKnownOnes) {
   const ProgramRun result = render("--format gif");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, AllOf(HasSubstr("--format 'gif'"), HasSubstr("png"), HasSubstr("svg"),
-                                HasSubstr("apng"), HasSubstr("mp4")));
-  EXPECT_THAT(files(), IsEmpty());
-}
-
-TEST_F(Formats, AFilmIsPipedToFfmpeg) {
-  const std::string path = fake_ffmpeg("for last; do :; done\nwc -c > \"$last\"\n");
-  // 161 pixels a row are made even.
-  const ProgramRun result =
-      run("render '" + scenario_ + "' --format mp4 --fps 20 --size 161x91 --out '" +
-              (folder_ / "out") + "'",
-          path);
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(files(), ElementsAre("group/idea/sequence.mp4"));
-  EXPECT_EQ(std::stoi(text("group/idea/sequence.mp4")), 2 * 162 * 92 * 3);
-  const std::string record = read_text(folder_ / "arguments");
-  for (const char* words : {"-video_size\n162x92\n", "-framerate\n20.", "-pix_fmt\nyuv420p\n",
-                            "-movflags\n+faststart\n", "-crf\n18\n", "-pixel_format\nrgb24\n"})
-    EXPECT_THAT(record, HasSubstr(words));
-}
-
-TEST_F(Formats, AFilmThatFailsLeavesNothing) {
-  const std::string path = fake_ffmpeg("echo no such codec >&2\nexit 3\n");
-  const ProgramRun result = render("--format mp4", path);
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("no such codec"), HasSubstr("ffmpeg could not make"),
-                                HasSubstr("sequence.mp4")));
-  EXPECT_THAT(files(), IsEmpty());
-}
-
-TEST_F(Formats, WithoutFfmpegNothingIsRendered) {
-  folder_.write("bin/empty", "");
-  const ProgramRun result = render("--format mp4,png", "PATH='" + (folder_ / "bin") + "'");
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err,
-              AllOf(HasSubstr("needs the program ffmpeg"), HasSubstr("apt-get install")));
+                                HasSubstr("apng"), HasSubstr("webp")));
   EXPECT_THAT(files(), IsEmpty());
 }
 
@@ -179,11 +136,11 @@ TEST_F(Formats, ConflictingOptionsAreRefused) {
   for (const auto& [options, record] :
        {std::pair{"--strip 0", "2 to 64"},
         {"--strip 4 --format apng", "--strip is one picture, and --format apng"},
-        {"--sheet --format mp4,png", "--sheet is one picture"},
+        {"--sheet --format webp,png", "--sheet is one picture"},
         {"--strip 4 --sheet", "leave out one"},
         {"--columns 2", "--strip or --sheet"},
         {"--strip 2 --columns 0", "1 to 64"}}) {
-    const ProgramRun result = render(options, fake_ffmpeg(""));
+    const ProgramRun result = render(options);
     EXPECT_EQ(result.exit_code, 2) << options;
     EXPECT_THAT(result.err, HasSubstr(record)) << options;
   }

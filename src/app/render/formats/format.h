@@ -109,7 +109,7 @@ struct Format {
 
 // Each is defined in the file of its name.
 extern const Format kPngFormat, kSvgFormat, kPdfFormat, kHtmlFormat, kApngFormat, kWebpFormat,
-    kMp4Format, kViewerFormat;
+    kViewerFormat;
 
 /// In listing order; the first is the default.
 const std::vector<Format>& formats();

@@ -7,8 +7,8 @@
 namespace contactscope::app {
 
 const std::vector<Format>& formats() {
-  static const std::vector<Format> all = {kPngFormat,  kSvgFormat,  kPdfFormat, kHtmlFormat,
-                                          kApngFormat, kWebpFormat, kMp4Format, kViewerFormat};
+  static const std::vector<Format> all = {kPngFormat,  kSvgFormat,  kPdfFormat,   kHtmlFormat,
+                                          kApngFormat, kWebpFormat, kViewerFormat};
   return all;
 }
 
