@@ -235,6 +235,7 @@ class ClaimsWatch final : public Watch {
       add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
       const auto level = [](const WrongPair& of) { return of.gross + of.severe; };
       if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
+      if (wrong.gross) finding.gross = std::max(finding.gross, wrong.size);
     }
     if (first == nullptr) return finding;
     finding.is_severe = first->severe;

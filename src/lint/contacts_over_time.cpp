@@ -243,14 +243,16 @@ class ContactsWatch final : public Watch {
           .wrong_at(
               {lost.frame, lost.line, std::get<0>(key), std::get<1>(key),
                at.a.pose.transform(lost.spot.in_a)},
-              frames, [&] {
+              frames,
+              [&] {
                 return std::pair(
                     std::to_string(lost.points) + " points" +
                         (lost.frames > 1 ? " for " + std::to_string(lost.frames) + " frames" : "") +
                         ", none at " + spelled(at.a.pose.transform(lost.spot.in_a)),
                     "the separation there is " + metres(lost.farthest) + ", as in frame " +
                         std::to_string(lost.frame - 1) + ", which has it");
-              });
+              },
+              -lost.farthest / at.size);
       return true;
     });
     if (spots.size() >= known.spots.size()) return;
@@ -311,12 +313,16 @@ class ContactsWatch final : public Watch {
           return jump.moved < 2 * half && std::abs(off(now) - off(jump.before)) < half;
         });
     if (is_back) {
-      depths_.wrong_at(mark(*known.depth), frames, [&] {
-        const Spot &before = known.depth->before, &then = known.depth->then;
-        return std::pair("separation " + metres(then.reported) + ", and " +
-                             metres(before.reported) + " in the frame before",
-                         "the surfaces moved by " + metres(then.measured - before.measured) + " m");
-      });
+      const Spot &before = known.depth->before, &then = known.depth->then;
+      depths_.wrong_at(
+          mark(*known.depth), frames,
+          [&] {
+            return std::pair(
+                "separation " + metres(then.reported) + ", and " + metres(before.reported) +
+                    " in the frame before",
+                "the surfaces moved by " + metres(then.measured - before.measured) + " m");
+          },
+          std::abs(off(then) - off(before)) / at.size);
       known.depth.reset();
     }
     const bool is_turned_back =
@@ -324,13 +330,17 @@ class ContactsWatch final : public Watch {
           return angle(now, jump.before) < angle(jump.then, jump.before) / 2;
         });
     if (is_turned_back) {
-      normals_.wrong_at(mark(*known.normal), frames, [&] {
-        const Jump& jump = *known.normal;
-        return std::pair("normal " + spelled(at.a.pose.rotate(jump.then.normal)) + ", and " +
-                             spelled(at.a.pose.rotate(jump.before.normal)) + " in the frame before",
-                         "it turns by " + degrees(angle(jump.then, jump.before)) +
-                             " degrees, the shapes by " + degrees(jump.turned));
-      });
+      const Jump& jump = *known.normal;
+      normals_.wrong_at(
+          mark(jump), frames,
+          [&] {
+            return std::pair("normal " + spelled(at.a.pose.rotate(jump.then.normal)) + ", and " +
+                                 spelled(at.a.pose.rotate(jump.before.normal)) +
+                                 " in the frame before",
+                             "it turns by " + degrees(angle(jump.then, jump.before)) +
+                                 " degrees, the shapes by " + degrees(jump.turned));
+          },
+          1 - jump.then.normal.dot(jump.before.normal));  // 11 degrees are gross
       known.normal.reset();
     }
     double jump = 0, turn = 0;

@@ -81,7 +81,7 @@ void WrongPairs::add(WrongPair pair, bool individually) {
     signature = signature_of(pair);
     const auto known = places_.find(signature);
     // With thousands of distinct errors their exact frequencies do not matter.
-    if (known != places_.end() || kept_.size() >= kMax) {
+    if (known != places_.end() || kept_.size() >= (pair.gross ? 2 * kMax : kMax)) {
       ++kept_[known != places_.end() ? known->second : kept_.size() - 1].times;
       return;
     }
