@@ -243,16 +243,14 @@ class ContactsWatch final : public Watch {
           .wrong_at(
               {lost.frame, lost.line, std::get<0>(key), std::get<1>(key),
                at.a.pose.transform(lost.spot.in_a)},
-              frames,
-              [&] {
+              frames, -lost.farthest / at.size, [&] {
                 return std::pair(
                     std::to_string(lost.points) + " points" +
                         (lost.frames > 1 ? " for " + std::to_string(lost.frames) + " frames" : "") +
                         ", none at " + spelled(at.a.pose.transform(lost.spot.in_a)),
                     "the separation there is " + metres(lost.farthest) + ", as in frame " +
                         std::to_string(lost.frame - 1) + ", which has it");
-              },
-              -lost.farthest / at.size);
+              });
       return true;
     });
     if (spots.size() >= known.spots.size()) return;
@@ -314,15 +312,12 @@ class ContactsWatch final : public Watch {
         });
     if (is_back) {
       const Spot &before = known.depth->before, &then = known.depth->then;
-      depths_.wrong_at(
-          mark(*known.depth), frames,
-          [&] {
-            return std::pair(
-                "separation " + metres(then.reported) + ", and " + metres(before.reported) +
-                    " in the frame before",
-                "the surfaces moved by " + metres(then.measured - before.measured) + " m");
-          },
-          std::abs(off(then) - off(before)) / at.size);
+      const double size = std::abs(off(then) - off(before)) / at.size;
+      depths_.wrong_at(mark(*known.depth), frames, size, [&] {
+        return std::pair("separation " + metres(then.reported) + ", and " +
+                             metres(before.reported) + " in the frame before",
+                         "the surfaces moved by " + metres(then.measured - before.measured) + " m");
+      });
       known.depth.reset();
     }
     const bool is_turned_back =
@@ -331,16 +326,13 @@ class ContactsWatch final : public Watch {
         });
     if (is_turned_back) {
       const Jump& jump = *known.normal;
-      normals_.wrong_at(
-          mark(jump), frames,
-          [&] {
-            return std::pair("normal " + spelled(at.a.pose.rotate(jump.then.normal)) + ", and " +
-                                 spelled(at.a.pose.rotate(jump.before.normal)) +
-                                 " in the frame before",
-                             "it turns by " + degrees(angle(jump.then, jump.before)) +
-                                 " degrees, the shapes by " + degrees(jump.turned));
-          },
-          1 - jump.then.normal.dot(jump.before.normal));  // 11 degrees are gross
+      const double size = 1 - jump.then.normal.dot(jump.before.normal);  // 11 degrees are gross
+      normals_.wrong_at(mark(jump), frames, size, [&] {
+        return std::pair("normal " + spelled(at.a.pose.rotate(jump.then.normal)) + ", and " +
+                             spelled(at.a.pose.rotate(jump.before.normal)) + " in the frame before",
+                         "it turns by " + degrees(angle(jump.then, jump.before)) +
+                             " degrees, the shapes by " + degrees(jump.turned));
+      });
       known.normal.reset();
     }
     double jump = 0, turn = 0;

@@ -58,7 +58,7 @@ struct Tally {
 
   /// Adds an occurrence; `said` and `is` are only built for the first of a pair and the worst.
   template <class Words>
-  void wrong_at(Mark mark, const Moments& frames, const Words& words, double size = 0) {
+  void wrong_at(Mark mark, const Moments& frames, double size, const Words& words) {
     if (frames.options != nullptr && frames.options->ignores(cause, mark.a, mark.b)) return;
     const std::pair key(mark.a, mark.b);
     const auto known = pairs.find(key);
@@ -79,7 +79,7 @@ struct Tally {
   template <class Words>
   void wrong(const Moments& frames, const std::string& a, const std::string& b, const Words& words,
              const std::optional<Vec3d>& at = std::nullopt) {
-    wrong_at({frames.now->frame, frames.now->line, a, b, at}, frames, words);
+    wrong_at({frames.now->frame, frames.now->line, a, b, at}, frames, 0, words);
   }
 
   /// Reports the problem, as below the threshold unless it occurs at least `least` times and in

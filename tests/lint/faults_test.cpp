@@ -20,10 +20,10 @@ namespace {
 using test::World;
 using Record = void (*)(const test::Recording&);
 
-Trace recorded_by(Record record, World world) {
+Trace recorded_by(Record record, World world, int in_heap = 12) {
   const TemporaryFolder folder;
   test::Recording recording{.world = world, .path = folder / "run.jsonl"};
-  if (world == World::Heap) recording.bodies = 12, recording.unrecorded = 200;
+  if (world == World::Heap) recording.bodies = in_heap, recording.unrecorded = 200;
   record(recording);
   std::ifstream in(recording.path);
   return trace::read_trace(in, recording.path);
@@ -57,7 +57,7 @@ const std::vector<Source>& heaps() {
   static const std::vector<Source> all = {
       {"Bullet, heap",
        recorded_by(&test::record_in_bullet, World::Heap),
-       {"surface", "margin_taken_off"}},
+       {"surface", "separation"}},
       {"ODE, heap", recorded_by(&test::record_in_ode, World::Heap), {}, true},
 #ifdef CONTACTSCOPE_HAS_MUJOCO
       {"MuJoCo, heap", recorded_by(&test::record_in_mujoco, World::Heap)},
@@ -164,6 +164,60 @@ TEST(LintFaults, SlowAShapeOfAnotherSizeThanInTheEngineIsNamed) {
       }
   EXPECT_GT(all, 20);
   EXPECT_GE(named, 0.8 * all) << named << " of " << all << "\n" << misses.str();
+}
+
+/// Each hull of larger heaps with another margin in the trace than in the engine.
+TEST(LintFaults, SlowAMarginOfOneHullIsNamedWithItsDifference) {
+  int named = 0, all = 0;
+  std::ostringstream misses;
+  for (const Record record : {&test::record_in_bullet, &test::record_in_ode}) {
+    const Trace heap = recorded_by(record, World::Heap, 30);
+    for (std::size_t i = 0; i < heap.header.shapes.size(); ++i)
+      for (const double off : {-1.0, 0.02, 0.04}) {
+        Trace trace = heap;
+        trace::Shape& shape = trace.header.shapes[i];
+        const auto touches = [&](const trace::Pair& pair) {
+          return !pair.manifolds.empty() && (pair.a == shape.name || pair.b == shape.name);
+        };
+        if (shape.type != "hull" || std::ranges::count_if(trace.frames[0].pairs, touches) < 2)
+          continue;
+        const double by = std::max(off, -shape.margin);
+        if (by == 0) continue;
+        shape.margin += by;
+        const std::vector<Finding> findings = lint(trace);
+        const std::string what = findings.empty() ? "" : findings[0].what;
+        const std::string margin = "the margin of '" + shape.name + "' is off by ";
+        const std::size_t place = what.find(margin);
+        ++all;
+        if (place != std::string::npos && std::abs(std::stod(what.substr(place + margin.size())) -
+                                                   std::abs(by)) < 0.1 * std::abs(by))
+          ++named;
+        else
+          misses << shape.name << ", " << by << ": " << named_in(findings) << what << "\n";
+      }
+  }
+  EXPECT_GT(all, 10);
+  EXPECT_GE(named, 0.8 * all) << named << " of " << all << "\n" << misses.str();
+}
+
+/// No convention of the recorder makes one pair wrong, and all others of its bodies right.
+TEST(LintFaults, DepthsOfOnePairThatAreAlwaysWrongAreNoConvention) {
+  for (const Source& source : stacks())
+    for (const Target& target : targets(source.trace, 10)) {
+      SCOPED_TRACE(source.name + (" " + target.a) + "-" + target.b);
+      Trace trace = source.trace;
+      int count = 0;
+      for (trace::Frame& frame : trace.frames)
+        for (trace::Pair& pair : frame.pairs)
+          if (pair.a == target.a && pair.b == target.b && ++count > 0)
+            for (trace::Manifold& manifold : pair.manifolds)
+              for (trace::Point& point : manifold.points) point.separation = -0.1;
+      const std::vector<Finding> findings = lint(trace);
+      ASSERT_EQ(named_in(findings), "separation ");
+      EXPECT_EQ(findings[0].count, count);
+      EXPECT_EQ(findings[0].a, target.a);
+      EXPECT_EQ(findings[0].b, target.b);
+    }
 }
 
 TEST(LintFaults, ManyBodiesThatFlyOffAreNamedWithTheOverlapBefore) {
