@@ -224,7 +224,7 @@ class ClaimsWatch final : public Watch {
     return (judged_of_[a] > own && (moved_.contains(a) || !moved_.contains(b))) ||
            (judged_of_[b] > own && (moved_.contains(b) || !moved_.contains(a)));
   }
-  /// Pairs of which a wrong one fits.
+  /// Pairs with a wrong claim that fits.
   template <class Fits> std::set<Names> pairs_of(const Fits& fits) {
     std::set<Names> pairs;
     for (const WrongPair& wrong : wrong_)
@@ -341,8 +341,7 @@ class ClaimsWatch final : public Watch {
       if (fit.shape.empty()) break;
     }
     if (best.scale == 0) return false;
-    // Of two that explain the same, the size is the simpler one.
-    if (best.share == other.share && other.scale > 0) std::swap(best, other);
+    if (best.share == other.share) std::swap(best, other);  // the size is simpler
     const auto is_of = [&](const WrongPair& wrong) { return best(wrong) || other(wrong); };
     const auto amount = [&](const Fit& fit) {
       return fit.is_margin ? metres(std::abs(fit.scale - 1) * size_of_[fit.shape]) + " m"
