@@ -4,7 +4,7 @@
 
 #include "lint/linter.h"
 #include "lint/reading.h"
-#include "lint/watch.h"
+#include "lint/wrong_pairs.h"
 
 namespace contactscope::lint {
 namespace {
@@ -25,10 +25,26 @@ constexpr std::string_view kOthers =
 
 }  // namespace
 
+const Words kUnexplained[kWrongs] = {
+    {"separation", "separations do not match the shapes",
+     "a separation is measured at the point, along the normal, from the surface of a to that of b; "
+     "check the shapes' sizes, and the time of the poses"},
+    {"surface", "points are off the surfaces",
+     "a point lies on a surface, or between the two; check its frame and unit, and the shapes' "
+     "sizes"},
+    {"side", "'on_a' or 'on_b' is off its surface",
+     "'on_a' is on the surface of a, 'on_b' on that of b, both in the world"},
+    {"normal", "normals are not the directions of least overlap",
+     "moving b along the normal by the overlap separates the shapes; check the test that chose the "
+     "axis"},
+    {"deepest", "no point is as deep as the overlap",
+     "keep the deepest point: check clipping and reduction"},
+};
+
 std::vector<std::string_view> causes() {
   std::vector<std::string_view> names(kSizes.begin(), kSizes.end());
   for (const Mistake& mistake : mistakes()) names.emplace_back(mistake.name);
-  for (const char* cause : unexplained_causes()) names.emplace_back(cause);
+  for (const Words& words : kUnexplained) names.emplace_back(words.cause);
   for (std::size_t at = 0; at < kOthers.size();) {
     const std::size_t end = std::min(kOthers.find(' ', at), kOthers.size());
     names.push_back(kOthers.substr(at, end - at));

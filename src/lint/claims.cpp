@@ -84,7 +84,7 @@ Measured measure(const Placed& solid, const Vec3d& point, const Vec3d& outward, 
   measured.exit = solid.exit(point, outward);
   const double distance = solid.distance(point);
   measured.off = std::abs(distance) - std::abs(said);
-  const std::optional<double> by_core = solid.exit_by_core(point, outward);
+  const std::optional<double> by_core = solid.exit(point, outward, true);
   if (!measured.exit || !by_core) return measured;
   measured.more_by_core = *by_core - *measured.exit;
   if (distance < 0) measured.off = std::min(measured.off, std::abs(*by_core) - std::abs(said));
@@ -255,8 +255,8 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   return verdict;
 }
 
-double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& pair, bool of_a,
-                bool of_b) {
+double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& pair,
+                std::size_t which) {
   const std::optional<Placed> a = place(solids, frames.of_contacts(), pair.a, {});
   const std::optional<Placed> b = place(solids, frames.of_contacts(), pair.b, {});
   if (!a || !b) return 0;
@@ -275,8 +275,10 @@ double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& 
   };
   const auto with = [&](double scale) {
     std::pair<Placed, Placed> placed(*a, *b);
-    if (of_a && !a->solid->is_plane()) placed.first.scale = scale;
-    if (of_b && !b->solid->is_plane()) placed.second.scale = scale;
+    for (auto& [one, is_of] : {std::pair(&placed.first, which != 1 && which != 4),
+                               std::pair(&placed.second, which % 3 != 0)})
+      if (is_of && !one->solid->is_plane())
+        (which > 2 ? one->margin : one->scale) = which > 2 ? (scale - 1) * one->size() : scale;
     return placed;
   };
   double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -301,7 +303,18 @@ double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& 
       if (scale == 0) return 0;
       least = std::min(least, scale), most = std::max(most, scale);
     }
-  return most <= kSameScale * least && std::abs(most - 1) > kSameScale - 1 ? (least + most) / 2 : 0;
+  const double same = kSameScale[which > 2];
+  return most <= same * least && std::abs(most - 1) > same - 1 ? (least + most) / 2 : 0;
+}
+
+bool moves(const Solids& solids, const Moments& frames, const trace::Pair& pair, double tolerance) {
+  const trace::Frame* const other = frames.before != nullptr ? frames.before : frames.after;
+  const auto b_in_a = [&](const trace::Frame* frame) {
+    const auto a = place(solids, frame, pair.a, {}), b = place(solids, frame, pair.b, {});
+    return a && b ? std::optional(relative_pose(a->pose, b->pose).position) : std::nullopt;
+  };
+  const std::optional<Vec3d> now = b_in_a(frames.now), then = b_in_a(other);
+  return now && then && (*now - *then).norm() > tolerance;
 }
 
 }  // namespace contactscope::lint

@@ -89,16 +89,20 @@ std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
 /// Whether the step of the contacts leaves a shape exactly where it is, as of a sleeping body.
 bool stands_still(const Solids& solids, const Moments& frames, const std::string& name);
 
+/// Whether another frame has b elsewhere, as seen from a.
+bool moves(const Solids& solids, const Moments& frames, const trace::Pair& pair, double tolerance);
+
 /// Tests every claim of a pair's manifolds under one reading; empty without shapes or poses.
 std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const trace::Pair& pair,
                              const Reading& reading);
 
-/// Scales that differ by less are the same.
-inline constexpr double kSameScale = 1.03;
-/// The scale of shape a, of b, or of both alike, under which the shapes have the separations of all
-/// points and the points are on them; 0: there is none.
-double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& pair, bool of_a,
-                bool of_b);
+/// Scales that differ by less are the same, and margins as such.
+inline constexpr double kSameScale[] = {1.03, 1.01};
+/// The scale of shape a (0), of b (1), or of both alike (2), under which the shapes have the
+/// separations of all points and the points are on them; 0: there is none. Or the margin that a (3) or
+/// b (4) has in addition, as such a scale: 1.1 is a tenth of the shape's size.
+double scale_of(const Solids& solids, const Moments& frames, const trace::Pair& pair,
+                std::size_t which);
 
 /// Allowed error of claims about two shapes, metres: a share of the smaller one, plus the single
 /// precision rounding of their coordinates.

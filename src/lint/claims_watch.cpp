@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <span>
+#include <set>
 
 #include "core/at.h"
 #include "lint/tally.h"
@@ -29,6 +29,7 @@ constexpr double kOfShape = 0.5;
 constexpr int kListed = 4;  // more such shapes are only counted
 /// Values, each with the number of its occurrences.
 using Counted = std::vector<std::pair<double, int>>;
+using Names = std::pair<std::string, std::string>;
 
 /// The median.
 double middle_of(Counted& values) {
@@ -49,6 +50,20 @@ double common_depth(const Verdict& verdict) {
   return is_common && std::abs(middle) > verdict.tolerance ? middle : 0;
 }
 
+/// Whether the largest separation, read with another sign or unit, has the size of the measured
+/// one. Any small number is near enough for surfaces that nearly touch.
+bool have_their_size(const Reading& reading, const Verdict& verdict) {
+  constexpr double kAbout = 1.25;
+  if (reading.separation_scale == 1 && !reading.separations_negated) return true;
+  double largest = 0, measured = 0;
+  for (std::size_t i = 0; i < verdict.separations.size(); ++i) {
+    const double is = std::abs(verdict.separations[i]);
+    const double said = std::abs(verdict.separations[i] - verdict.deeper[i]);
+    if (said > largest) largest = said, measured = is;
+  }
+  return largest <= kAbout * measured && measured <= kAbout * largest;
+}
+
 /// Whether a mistake may be made in a single frame: not one of units, axes, shapes or moments.
 bool may_be_rare(const Reading& reading) {
   Reading rare;
@@ -63,25 +78,6 @@ bool is_about(Form form, const Solids& solids, const trace::Pair& pair) {
   return form == Form::AsReported || solids.find(pair.a, form) != solids.find(pair.a) ||
          solids.find(pair.b, form) != solids.find(pair.b);
 }
-
-struct Words {
-  const char *cause, *what, *remedy;
-};
-constexpr Words kUnexplained[kWrongs] = {
-    {"separation", "separations do not match the shapes",
-     "a separation is measured at the point, along the normal, from the surface of a to that of b; "
-     "check the shapes' sizes, and the time of the poses"},
-    {"surface", "points are off the surfaces",
-     "a point lies on a surface, or between the two; check its frame and unit, and the shapes' "
-     "sizes"},
-    {"side", "'on_a' or 'on_b' is off its surface",
-     "'on_a' is on the surface of a, 'on_b' on that of b, both in the world"},
-    {"normal", "normals are not the directions of least overlap",
-     "moving b along the normal by the overlap separates the shapes; check the test that chose the "
-     "axis"},
-    {"deepest", "no point is as deep as the overlap",
-     "keep the deepest point: check clipping and reduction"},
-};
 
 class ClaimsWatch final : public Watch {
  public:
@@ -121,21 +117,19 @@ class ClaimsWatch final : public Watch {
       if (auto then = judge(solids, frames, pair, before); then) verdict = std::move(then);
     }
     for (const std::string& name : {pair.a, pair.b, std::string()}) ++judged_of_[name];
+    for (const std::string& name : {pair.a, pair.b}) {
+      size_of_[name] = solids.find(name)->size();
+      if (!moved_.contains(name) && !stands_still(solids, frames, name)) moved_.insert(name);
+    }
+    ++judged_in_[{pair.a, pair.b}];
     ++judged_;
     moving_ += moves(solids, frames, pair, verdict->tolerance);
     if (verdict->wrong == 0) return count_small_depths(*verdict);
-    WrongPair wrong;
-    wrong.line = frames.now->line;
-    wrong.frame = frames.now->frame;
-    wrong.a = pair.a;
-    wrong.b = pair.b;
-    wrong.problem = *verdict->worst;
+    WrongPair wrong{frames.now->line, frames.now->frame, pair.a, pair.b, *verdict->worst};
     wrong.deeper = common_depth(*verdict);
     wrong.size = std::min(1.0, verdict->farthest / (kFar / 2 * verdict->tolerance));
-    if (!options_.shapes_are_given)
-      wrong.scales = {scale_of(solids, frames, pair, true, false),
-                      scale_of(solids, frames, pair, false, true),
-                      scale_of(solids, frames, pair, true, true)};
+    for (std::size_t i = 0; i < wrong.scales.size() && !options_.shapes_are_given; ++i)
+      wrong.scales[i] = scale_of(solids, frames, pair, i);
     wrong.gross = !(verdict->farthest <= kGross * verdict->tolerance);
     wrong.severe =
         !(verdict->farthest <= kSevere * verdict->tolerance) && wrong.problem.kind <= Wrong::Side;
@@ -172,32 +166,6 @@ class ClaimsWatch final : public Watch {
     wrong_.add(std::move(wrong), options_.marks(frames.now->frame));
   }
 
-  /// Whether the largest separation, read with another sign or unit, has the size of the measured
-  /// one. Any small number is near enough for surfaces that nearly touch.
-  static bool have_their_size(const Reading& reading, const Verdict& verdict) {
-    constexpr double kAbout = 1.25;
-    if (reading.separation_scale == 1 && !reading.separations_negated) return true;
-    double largest = 0, measured = 0;
-    for (std::size_t i = 0; i < verdict.separations.size(); ++i) {
-      const double is = std::abs(verdict.separations[i]);
-      const double said = std::abs(verdict.separations[i] - verdict.deeper[i]);
-      if (said > largest) largest = said, measured = is;
-    }
-    return largest <= kAbout * measured && measured <= kAbout * largest;
-  }
-
-  /// Whether another frame has b elsewhere, as seen from a.
-  static bool moves(const Solids& solids, const Moments& frames, const trace::Pair& pair,
-                    double tolerance) {
-    const trace::Frame* const other = frames.before != nullptr ? frames.before : frames.after;
-    const auto b_in_a = [&](const trace::Frame* frame) {
-      const auto a = place(solids, frame, pair.a, {}), b = place(solids, frame, pair.b, {});
-      return a && b ? std::optional(relative_pose(a->pose, b->pose).position) : std::nullopt;
-    };
-    const std::optional<Vec3d> now = b_in_a(frames.now), then = b_in_a(other);
-    return now && then && (*now - *then).norm() > tolerance;
-  }
-
   // Overlaps of a millimetre are within the tolerance whatever is reported. But if all are reported
   // as half, that is a mistake.
   void count_small_depths(const Verdict& verdict) {
@@ -212,7 +180,6 @@ class ClaimsWatch final : public Watch {
   }
 
   void report_small_depths(std::vector<Finding>& findings) const {
-    constexpr int kEnough = 8;
     constexpr const char* kNames[] = {"positive_depths", "half_depths", "double_depths"};
     if (small_ < kEnough) return;
     for (std::size_t f = 0; f < std::size(kFactors); ++f) {
@@ -235,11 +202,11 @@ class ClaimsWatch final : public Watch {
       add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
       const auto level = [](const WrongPair& of) { return of.gross + of.severe; };
       if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
+      if (wrong.gross) finding.gross = std::max(finding.gross, wrong.size);
     }
     if (first == nullptr) return finding;
     finding.is_severe = first->severe;
-    finding.line = first->line;
-    finding.frame = first->frame;
+    finding.line = first->line, finding.frame = first->frame;
     finding.a = first->a, finding.b = first->b;
     finding.said = first->said, finding.is = first->is;
     finding.size = first->size;
@@ -248,10 +215,29 @@ class ClaimsWatch final : public Watch {
     return finding;
   }
 
-  bool explains_gross(std::size_t e) {
-    return std::ranges::any_of(wrong_, [&](const WrongPair& wrong) {
-      return !wrong.record && wrong.gross && wrong.explained_by.test(e);
-    });
+  /// Whether only a single pair fits, although a body of it has others: no convention is wrong.
+  bool is_local(const std::set<Names>& pairs) {
+    if (pairs.size() != 1) return false;
+    const auto& [a, b] = *pairs.begin();
+    const int own = judged_in_[*pairs.begin()];
+    // A static shape has others that are right.
+    return (judged_of_[a] > own && (moved_.contains(a) || !moved_.contains(b))) ||
+           (judged_of_[b] > own && (moved_.contains(b) || !moved_.contains(a)));
+  }
+  /// Pairs with a wrong claim that fits.
+  template <class Fits> std::set<Names> pairs_of(const Fits& fits) {
+    std::set<Names> pairs;
+    for (const WrongPair& wrong : wrong_)
+      if (!wrong.record && fits(wrong)) pairs.emplace(wrong.a, wrong.b);
+    return pairs;
+  }
+
+  /// Whether most small overlaps do not have the sign or factor of a reading.
+  bool is_refuted(const Reading& reading) const {
+    const double factor = (reading.separations_negated ? -1 : 1) / reading.separation_scale;
+    const auto* const known = std::ranges::find(kFactors, factor);
+    return known != std::end(kFactors) && small_ >= kEnough &&
+           2 * small_by_[known - std::begin(kFactors)] < small_;
   }
 
   /// Reports the reading that makes most of the remaining wrong pairs right; of several the first,
@@ -280,15 +266,28 @@ class ClaimsWatch final : public Watch {
     const int untold = wrong_.untold();
     Reading flipped;
     flipped.normals_flipped = true;
-    for (std::size_t e = 0; e < all.size(); ++e)
-      if (counts[e] < kOfWrong * untold && !(all[e].reading == flipped && explains_gross(e)))
+    for (std::size_t e = 0; e < all.size(); ++e) {
+      const auto is_gross = [&](const WrongPair& wrong) {
+        return !wrong.record && wrong.gross && wrong.explained_by.test(e);
+      };
+      if (counts[e] < kOfWrong * untold &&
+          !(all[e].reading == flipped && std::ranges::any_of(wrong_, is_gross)))
         counts[e] = 0;
+    }
     const auto most = std::ranges::max_element(counts);
     if (most == counts.end() || *most == 0) return false;
     // A simple one that explains nearly as many is more likely.
     const auto chosen = std::ranges::find_if(counts, [&](int n) { return n >= 0.9 * *most; });
     const auto e = static_cast<std::size_t>(chosen - counts.begin());
     const auto is_explained = [&](const WrongPair& wrong) { return wrong.explained_by.test(e); };
+    const std::set<Names> pairs = pairs_of(is_explained);
+    int judged = 0;
+    for (const Names& names : pairs) judged += judged_in_[names];
+    if ((!may_be_rare(all[e].reading) && is_local(pairs)) ||
+        (2 * counts[e] < judged && is_refuted(all[e].reading))) {
+      for (WrongPair& wrong : wrong_) wrong.explained_by.reset(e);
+      return true;
+    }
     std::vector<Finding> named;
     for (const Mistake* mistake : all[e].made)
       named.push_back(gathered(mistake->name, mistake->what, mistake->remedy, is_explained));
@@ -305,53 +304,73 @@ class ClaimsWatch final : public Watch {
     return true;
   }
 
-  /// Reports the shape that has the wrong size in most of its pairs, or all shapes alike.
-  bool report_size(std::vector<Finding>& findings) {
-    std::map<std::string, Counted> of_shape;
-    for (const WrongPair& wrong : wrong_)
-      for (std::size_t i = 0; i < wrong.scales.size() && !wrong.record; ++i) {
-        if (wrong.scales[i] > 0)
-          of_shape[wrong.scaled(i)].emplace_back(wrong.scales[i], wrong.times);
-      }
-    std::string shape;
-    double scale = 0, share = kOfShape;
+  /// A scale or margin of a shape; without a name of all alike.
+  struct Fit {
+    std::string shape{};
+    bool is_margin = false;
+    double scale = 0, share = kOfShape;  // of its pairs
+
     // In a pair with a static shape, only the other one has another size.
-    const auto fits = [](const WrongPair& wrong, const std::string& name, double common) {
+    bool operator()(const WrongPair& wrong) const {
       for (std::size_t i = 0; i < wrong.scales.size() && !wrong.record; ++i)
-        if ((name.empty() || wrong.scaled(i) == name) &&
-            std::abs(wrong.scales[i] / common - 1) < kSameScale - 1)
+        if (WrongPair::is_margin(i) == is_margin && (shape.empty() || wrong.scaled(i) == shape) &&
+            std::abs(wrong.scales[i] / scale - 1) < kSameScale[is_margin] - 1)
           return true;
       return false;
-    };
-    for (auto& [name, scales] : of_shape) {
-      const double common = middle_of(scales);
-      int count = 0;
-      for (const WrongPair& wrong : wrong_) count += fits(wrong, name, common) ? wrong.times : 0;
-      const double of_all = double(count) / judged_of_[name];
-      if (count < kNoChance || !(of_all > share)) continue;
-      shape = name, scale = common, share = of_all;
-      if (name.empty()) break;
     }
-    if (scale == 0) return false;
-    const auto is_of = [&](const WrongPair& wrong) { return fits(wrong, shape, scale); };
+  };
+
+  /// Reports the shape that has the wrong size or margin in most of its pairs, or all shapes alike.
+  bool report_size(std::vector<Finding>& findings) {
+    std::map<std::pair<std::string, bool>, Counted> of_shape;
+    for (const WrongPair& wrong : wrong_)
+      for (std::size_t i = 0; i < wrong.scales.size() && !wrong.record; ++i)
+        if (const std::pair key(wrong.scaled(i), WrongPair::is_margin(i)); wrong.scales[i] > 0)
+          of_shape[key].emplace_back(wrong.scales[i], wrong.times);
+    Fit best, other;  // the other explains most pairs of the same shape too
+    for (auto& [key, scales] : of_shape) {
+      Fit fit{key.first, key.second, middle_of(scales)};
+      int count = 0;
+      for (const WrongPair& wrong : wrong_) count += fit(wrong) ? wrong.times : 0;
+      fit.share = double(count) / judged_of_[fit.shape];
+      const bool is_same = fit.is_margin && best.scale > 0 && fit.shape == best.shape;
+      if (count < kNoChance || fit.share + is_same * 1e-9 <= best.share) continue;
+      if (is_local(pairs_of(fit))) continue;
+      other = is_same ? best : Fit();
+      best = fit;
+      if (fit.shape.empty()) break;
+    }
+    if (best.scale == 0) return false;
+    if (best.share == other.share) std::swap(best, other);  // the size is simpler
+    const auto is_of = [&](const WrongPair& wrong) { return best(wrong) || other(wrong); };
+    const auto amount = [&](const Fit& fit) {
+      return fit.is_margin ? metres(std::abs(fit.scale - 1) * size_of_[fit.shape]) + " m"
+                           : metres(1 / fit.scale) + " times";
+    };
+    constexpr const char* kCauses[2][2] = {{"shape_too_large", "shape_too_small"},
+                                           {"margin_taken_off", "margin_added"}};
+    const std::string name = "'" + best.shape + "'";
+    const auto in_words = [&](const Fit& fit) {
+      if (fit.is_margin) return "the margin of " + name + " is off by " + amount(fit);
+      return (fit.shape.empty() ? "shapes are " : name + " is ") + amount(fit) +
+             " as large as in the engine";
+    };
     Finding finding =
-        gathered(scale < 1 ? "shape_too_large" : "shape_too_small",
-                 (shape.empty() ? "shapes are " : "'" + shape + "' is ") + metres(1 / scale) +
-                     " times as large as in the engine",
-                 "contacts fit it at " + metres(100 * scale) +
-                     " % of its size: check its extents, its scale, and what the engine's margin "
-                     "takes off",
+        gathered(kCauses[best.is_margin][best.scale > 1],
+                 in_words(best) + (other.scale > 0 ? ", or " + in_words(other) : ""),
+                 "contacts fit it at another size: check its extents, its scale, its margin, and "
+                 "what the engine's margin takes off",
                  is_of);
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || is_of(wrong);
     finding.below.clear();
-    finding.of = judged_of_[shape];
+    finding.of = judged_of_[best.shape];
     const auto same = std::ranges::find(findings, finding.cause, &Finding::cause);
     if (same == findings.end()) {
       if (finding.count > 0) findings.push_back(std::move(finding));
     } else {
       same->count += finding.count, same->of += finding.of;
       if (std::ranges::count(same->what, ',') < kListed)
-        same->what += ", '" + shape + "' " + metres(1 / scale) + " times";
+        same->what += ", " + name + " " + amount(best);
     }
     return true;
   }
@@ -378,8 +397,15 @@ class ClaimsWatch final : public Watch {
         has_margin);
     const int count = finding.count;
     // A single misplaced body has a depth too.
-    if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_))
+    const std::set<Names> pairs = pairs_of(has_margin);
+    if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_) ||
+        is_local(pairs))
       return false;
+    for (const std::string& name : {finding.a, finding.b}) {
+      const auto has_it = [&](const Names& of) { return of.first == name || of.second == name; };
+      if (pairs.size() > 1 && moved_.contains(name) && std::ranges::all_of(pairs, has_it))
+        finding.what += ", in pairs of '" + name + "' alone";
+    }
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || has_margin(wrong);
     finding.below.clear();
     const bool is_gross = std::abs(margin) > 0 && finding.size > kGross * 2 / kFar;
@@ -395,6 +421,7 @@ class ClaimsWatch final : public Watch {
   }
 
   static constexpr double kFactors[] = {-1, 0.5, 2};
+  static constexpr int kEnough = 8;
   bool after_step_;
   LintOptions options_;
   int judged_ = 0;
@@ -402,6 +429,9 @@ class ClaimsWatch final : public Watch {
   int small_ = 0;
   int small_by_[std::size(kFactors)] = {};
   std::map<std::string, int> judged_of_;  // by shape
+  std::map<std::string, double> size_of_;
+  std::map<Names, int> judged_in_;  // by pair
+  std::set<std::string> moved_;     // shapes that did not stand still in some frame
   WrongPairs wrong_;
   std::bitset<kMaxExplanations> has_explained_;
 };
@@ -410,10 +440,6 @@ class ClaimsWatch final : public Watch {
 
 std::unique_ptr<Watch> watch_claims(const trace::Header& header, const LintOptions& options) {
   return std::make_unique<ClaimsWatch>(header, options);
-}
-
-std::vector<const char*> unexplained_causes() {
-  return mapped(std::span(kUnexplained), &Words::cause);
 }
 
 }  // namespace contactscope::lint

@@ -243,7 +243,7 @@ class ContactsWatch final : public Watch {
           .wrong_at(
               {lost.frame, lost.line, std::get<0>(key), std::get<1>(key),
                at.a.pose.transform(lost.spot.in_a)},
-              frames, [&] {
+              frames, -lost.farthest / at.size, [&] {
                 return std::pair(
                     std::to_string(lost.points) + " points" +
                         (lost.frames > 1 ? " for " + std::to_string(lost.frames) + " frames" : "") +
@@ -311,8 +311,9 @@ class ContactsWatch final : public Watch {
           return jump.moved < 2 * half && std::abs(off(now) - off(jump.before)) < half;
         });
     if (is_back) {
-      depths_.wrong_at(mark(*known.depth), frames, [&] {
-        const Spot &before = known.depth->before, &then = known.depth->then;
+      const Spot &before = known.depth->before, &then = known.depth->then;
+      const double size = std::abs(off(then) - off(before)) / at.size;
+      depths_.wrong_at(mark(*known.depth), frames, size, [&] {
         return std::pair("separation " + metres(then.reported) + ", and " +
                              metres(before.reported) + " in the frame before",
                          "the surfaces moved by " + metres(then.measured - before.measured) + " m");
@@ -324,8 +325,9 @@ class ContactsWatch final : public Watch {
           return angle(now, jump.before) < angle(jump.then, jump.before) / 2;
         });
     if (is_turned_back) {
-      normals_.wrong_at(mark(*known.normal), frames, [&] {
-        const Jump& jump = *known.normal;
+      const Jump& jump = *known.normal;
+      const double size = 1 - jump.then.normal.dot(jump.before.normal);  // 11 degrees are gross
+      normals_.wrong_at(mark(jump), frames, size, [&] {
         return std::pair("normal " + spelled(at.a.pose.rotate(jump.then.normal)) + ", and " +
                              spelled(at.a.pose.rotate(jump.before.normal)) + " in the frame before",
                          "it turns by " + degrees(angle(jump.then, jump.before)) +

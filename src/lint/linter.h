@@ -40,6 +40,7 @@ struct Finding {
   bool is_hint = false;    // no fault, but worth knowing
   bool is_severe = false;  // farther off than engines approximate
   double size = 1;         // of the error, relative to the smaller shape; 1: all of it is wrong
+  double gross = 0;        // size of a case far beyond approximations; 0: there is none
 };
 
 /// Whether it is a fault, and often or large enough.

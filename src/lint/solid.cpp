@@ -197,18 +197,11 @@ double Solid::extent(const Vec3d& direction) const {
   return most + radius_;
 }
 
-std::optional<double> Placed::exit(const Vec3d& point, const Vec3d& direction) const {
+std::optional<double> Placed::exit(const Vec3d& point, const Vec3d& direction, bool by_core) const {
+  const Vec3d from = pose.inverse_transform(point) / scale, along = pose.inverse_rotate(direction);
   const std::optional<double> own =
-      solid->exit(pose.inverse_transform(point) / scale, pose.inverse_rotate(direction));
-  if (!own) return std::nullopt;
-  return scale * *own;
-}
-
-std::optional<double> Placed::exit_by_core(const Vec3d& point, const Vec3d& direction) const {
-  const std::optional<double> own =
-      solid->exit_by_core(pose.inverse_transform(point) / scale, pose.inverse_rotate(direction));
-  if (!own) return std::nullopt;
-  return scale * *own;
+      by_core ? solid->exit_by_core(from, along) : solid->exit(from, along);
+  return own ? std::optional(scale * *own + margin) : own;
 }
 
 double separation_along(const Placed& a, const Placed& b, const Vec3d& normal) {

@@ -78,17 +78,17 @@ class Solid {
   Shape<double> shape_;
 };
 
-/// A solid with its pose in a frame, scaled by `scale`.
+/// A solid with its pose in a frame, scaled by `scale`, then enlarged by `margin`, metres.
 struct Placed {
   const Solid* solid = nullptr;
   Pose<double> pose{};
-  double scale = 1;
+  double scale = 1, margin = 0;
 
   double distance(const Vec3d& point) const {
-    return scale * solid->distance(pose.inverse_transform(point) / scale);
+    return scale * solid->distance(pose.inverse_transform(point) / scale) - margin;
   }
-  std::optional<double> exit(const Vec3d& point, const Vec3d& direction) const;
-  std::optional<double> exit_by_core(const Vec3d& point, const Vec3d& direction) const;
+  std::optional<double> exit(const Vec3d& point, const Vec3d& direction,
+                             bool by_core = false) const;
   double extent(const Vec3d& direction) const {
     return scale * solid->extent(pose.inverse_rotate(direction)) + direction.dot(pose.position);
   }

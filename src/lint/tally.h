@@ -36,9 +36,12 @@ inline void add_mark(Marks& marks, Mark mark, const LintOptions* options) {
   if (!always || options->marks(mark.frame)) marks.add(std::move(mark), always);
 }
 
-/// Counts occurrences of one problem among all cases, and keeps the first of each pair.
+/// Counts occurrences of one problem among all cases, and keeps the first of each pair, and the worst.
 struct Tally {
   static constexpr std::size_t kMaxPairs = 1000;  // later ones are only counted
+  /// An error of this size, relative to the smaller shape, and so many times as large as all smaller
+  /// ones is reported however rare it is: no rounding makes it.
+  static constexpr double kGross = 0.02, kTimesOthers = 10;
 
   /// The first occurrence of a pair, and the number of all.
   struct OfPair {
@@ -49,20 +52,26 @@ struct Tally {
   std::string cause{};
   int count = 0, of = 0;
   std::map<std::pair<std::string, std::string>, OfPair> pairs{};
-  Finding first{};
+  Finding first{}, worst{};
+  double small = 0;  // the largest size below kGross
   Marks marks{};
 
-  /// Adds an occurrence; `said` and `is` are only built for the first of a pair.
-  template <class Words> void wrong_at(Mark mark, const Moments& frames, const Words& words) {
+  /// Adds an occurrence; `said` and `is` are only built for the first of a pair and the worst.
+  template <class Words>
+  void wrong_at(Mark mark, const Moments& frames, double size, const Words& words) {
     if (frames.options != nullptr && frames.options->ignores(cause, mark.a, mark.b)) return;
     const std::pair key(mark.a, mark.b);
-    if (const auto known = pairs.find(key); known != pairs.end()) {
-      ++known->second.count;
-    } else if (pairs.size() < kMaxPairs) {
+    const auto known = pairs.find(key);
+    const bool is_first = known == pairs.end() && pairs.size() < kMaxPairs;
+    if (known != pairs.end()) ++known->second.count;
+    const bool is_worst = size >= kGross && size > worst.gross;
+    if (size < kGross) small = std::max(small, size);
+    if (is_first || is_worst) {
       const auto [said, is] = words();
-      OfPair& pair = pairs[key];
-      pair = {{"", "", "", 0, 0, mark.line, mark.frame, mark.a, mark.b, said, is}, 1};
-      if (count == 0) first = pair.first;
+      const Finding one{"", "", "", 0, 0, mark.line, mark.frame, mark.a, mark.b, said, is};
+      if (is_first) pairs[key] = {one, 1};
+      if (count == 0) first = one;
+      if (is_worst) worst = one, worst.gross = size;
     }
     ++count;
     add_mark(marks, std::move(mark), frames.options);
@@ -70,25 +79,30 @@ struct Tally {
   template <class Words>
   void wrong(const Moments& frames, const std::string& a, const std::string& b, const Words& words,
              const std::optional<Vec3d>& at = std::nullopt) {
-    wrong_at({frames.now->frame, frames.now->line, a, b, at}, frames, words);
+    wrong_at({frames.now->frame, frames.now->line, a, b, at}, frames, 0, words);
   }
 
   /// Reports the problem, as below the threshold unless it occurs at least `least` times and in
-  /// that share of the cases.
+  /// that share of the cases, or one is gross.
   void report(const std::string& what, const char* remedy, int least, double share,
               std::vector<Finding>& findings) const {
     if (count == 0) return;
     // One pair may have nearly all of them, and another one the first.
     const auto most =
         std::ranges::max_element(pairs, {}, [](const auto& pair) { return pair.second.count; });
-    Finding finding = 2 * most->second.count > count ? most->second.first : first;
+    const double gross = worst.gross > kTimesOthers * small ? worst.gross : 0;
+    const bool is_rare = count < share * of;
+    Finding finding = is_rare && gross > 0             ? worst
+                      : 2 * most->second.count > count ? most->second.first
+                                                       : first;
+    finding.gross = gross;
     finding.cause = cause;
     finding.what = what;
     finding.remedy = remedy;
     finding.count = count;
     finding.of = of;
     finding.marks = marks.kept();
-    if (count < share * of)
+    if (is_rare && gross == 0)
       finding.below = metres(100 * share) + " %";
     else if (count < least)
       finding.below = std::to_string(least) + " of them";

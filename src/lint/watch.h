@@ -24,8 +24,6 @@ std::unique_ptr<Watch> watch_bodies_over_time();
 std::unique_ptr<Watch> watch_contacts_over_time();
 /// claims_watch.cpp: compares points, normals and separations with the shapes, and explains errors.
 std::unique_ptr<Watch> watch_claims(const trace::Header& header, const LintOptions& options);
-/// The causes of its errors that no mistake explains.
-std::vector<const char*> unexplained_causes();
 /// overlaps.cpp: overlapping shapes without contacts, also of bodies at rest on one another.
 std::unique_ptr<Watch> watch_overlaps(const trace::Header& header);
 /// internal_edges.cpp: contacts with edges of a mesh where its surface continues.

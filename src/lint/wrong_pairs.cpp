@@ -25,7 +25,8 @@ std::string signature_of(const WrongPair& pair) {
   signature += std::to_string(static_cast<int>(pair.problem.kind));
   if (pair.deeper != 0) signature += (pair.deeper > 0 ? '+' : '-') + rounded(pair.deeper);
   for (std::size_t i = 0; i < pair.scales.size(); ++i)
-    if (pair.scales[i] > 0) signature += pair.scaled(i) + '*' + rounded(pair.scales[i]);
+    if (pair.scales[i] > 0)
+      signature += pair.scaled(i) + (WrongPair::is_margin(i) ? '~' : '*') + rounded(pair.scales[i]);
   return signature;
 }
 
@@ -81,7 +82,7 @@ void WrongPairs::add(WrongPair pair, bool individually) {
     signature = signature_of(pair);
     const auto known = places_.find(signature);
     // With thousands of distinct errors their exact frequencies do not matter.
-    if (known != places_.end() || kept_.size() >= kMax) {
+    if (known != places_.end() || kept_.size() >= (pair.gross ? 2 * kMax : kMax)) {
       ++kept_[known != places_.end() ? known->second : kept_.size() - 1].times;
       return;
     }

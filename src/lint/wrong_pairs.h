@@ -18,20 +18,28 @@ struct WrongPair {
   int line = 0, frame = 0;
   std::string a, b;
   Problem problem;
-  std::string said, is;
+  std::string said{}, is{};
   std::optional<Vec3d> at{};  // the point of the problem, world
   double deeper = 0;          // metres of excess overlap if all points agree; else 0
-  /// The scale of a, of b, or of both alike, under which all points fit; 0: there is none.
-  std::array<double, 3> scales{};
+  /// The scale of a, of b, or of both alike, under which all points fit, and the margin of a or of b
+  /// as such a scale; 0: there is none.
+  std::array<double, 5> scales{};
+  static bool is_margin(std::size_t scale) { return scale > 2; }
   /// The shape that a scale is of; none for that of both.
-  std::string scaled(std::size_t scale) const { return scale == 0 ? a : scale == 1 ? b : ""; }
+  std::string scaled(std::size_t scale) const { return scale == 2 ? "" : scale % 3 == 0 ? a : b; }
   double size = 1;  // of the error, relative to the smaller shape
-  std::bitset<kMaxExplanations> explained_by;
+  std::bitset<kMaxExplanations> explained_by{};
   bool gross = false;   // beyond most of an engine's approximations
   bool severe = false;  // beyond all of them
   bool record = false;
   int times = 1;  // number of pairs
 };
+
+/// The finding of wrong claims of a kind that nothing explains (causes.cpp).
+struct Words {
+  const char *cause, *what, *remedy;
+};
+extern const Words kUnexplained[kWrongs];
 
 /// Writes what is said and what is measured, from its problem.
 void put_in_words(const trace::Pair& pair, WrongPair& wrong);

@@ -94,6 +94,21 @@ TEST(LintVerb, KnownAndIgnoredFindingsExitWithZero) {
   EXPECT_EQ(run("lint --tolerance 0.02 '" + half + "'").exit_code, 0);
 }
 
+TEST(LintVerb, AKnownFindingIsNewWhenItIsMuchGrosser) {
+  const TemporaryFolder folder;
+  const std::string known = folder / "known.json";
+  const auto run_known = [&](const char* separation, const std::string& option) {
+    const std::string file = folder.write("run.jsonl", crate("0,1,0", separation));
+    return run("lint --" + option + " '" + known + "' '" + file + "'");
+  };
+  EXPECT_EQ(run_known("-0.03", "write-known").exit_code, 0);
+  EXPECT_EQ(run_known("-0.03", "known").exit_code, 0);
+  EXPECT_EQ(run_known("-0.032", "known").exit_code, 0);
+  const ProgramRun grosser = run_known("-0.22", "known");  // a tenth of the crate
+  EXPECT_EQ(grosser.exit_code, 1);
+  EXPECT_THAT(grosser.out, HasSubstr("[margin_added]"));
+}
+
 TEST(LintVerb, AnUnreadableTraceExitsWithTwo) {
   const TemporaryFolder folder;
   const std::string torn = folder.write("torn.jsonl", std::string(kHeader) + "\n{\"frame\":");

@@ -20,10 +20,10 @@ namespace {
 using test::World;
 using Record = void (*)(const test::Recording&);
 
-Trace recorded_by(Record record, World world) {
+Trace recorded_by(Record record, World world, int in_heap = 12) {
   const TemporaryFolder folder;
   test::Recording recording{.world = world, .path = folder / "run.jsonl"};
-  if (world == World::Heap) recording.bodies = 12, recording.unrecorded = 200;
+  if (world == World::Heap) recording.bodies = in_heap, recording.unrecorded = 200;
   record(recording);
   std::ifstream in(recording.path);
   return trace::read_trace(in, recording.path);
@@ -57,7 +57,7 @@ const std::vector<Source>& heaps() {
   static const std::vector<Source> all = {
       {"Bullet, heap",
        recorded_by(&test::record_in_bullet, World::Heap),
-       {"surface", "margin_taken_off"}},
+       {"surface", "separation"}},
       {"ODE, heap", recorded_by(&test::record_in_ode, World::Heap), {}, true},
 #ifdef CONTACTSCOPE_HAS_MUJOCO
       {"MuJoCo, heap", recorded_by(&test::record_in_mujoco, World::Heap)},
@@ -166,6 +166,60 @@ TEST(LintFaults, SlowAShapeOfAnotherSizeThanInTheEngineIsNamed) {
   EXPECT_GE(named, 0.8 * all) << named << " of " << all << "\n" << misses.str();
 }
 
+/// Each hull of larger heaps with another margin in the trace than in the engine.
+TEST(LintFaults, SlowAMarginOfOneHullIsNamedWithItsDifference) {
+  int named = 0, all = 0;
+  std::ostringstream misses;
+  for (const Record record : {&test::record_in_bullet, &test::record_in_ode}) {
+    const Trace heap = recorded_by(record, World::Heap, 30);
+    for (std::size_t i = 0; i < heap.header.shapes.size(); ++i)
+      for (const double off : {-1.0, 0.02, 0.04}) {
+        Trace trace = heap;
+        trace::Shape& shape = trace.header.shapes[i];
+        const auto touches = [&](const trace::Pair& pair) {
+          return !pair.manifolds.empty() && (pair.a == shape.name || pair.b == shape.name);
+        };
+        if (shape.type != "hull" || std::ranges::count_if(trace.frames[0].pairs, touches) < 2)
+          continue;
+        const double by = std::max(off, -shape.margin);
+        if (by == 0) continue;
+        shape.margin += by;
+        const std::vector<Finding> findings = lint(trace);
+        const std::string what = findings.empty() ? "" : findings[0].what;
+        const std::string margin = "the margin of '" + shape.name + "' is off by ";
+        const std::size_t place = what.find(margin);
+        ++all;
+        if (place != std::string::npos && std::abs(std::stod(what.substr(place + margin.size())) -
+                                                   std::abs(by)) < 0.1 * std::abs(by))
+          ++named;
+        else
+          misses << shape.name << ", " << by << ": " << named_in(findings) << what << "\n";
+      }
+  }
+  EXPECT_GT(all, 10);
+  EXPECT_GE(named, 0.8 * all) << named << " of " << all << "\n" << misses.str();
+}
+
+/// No convention of the recorder makes one pair wrong, and all others of its bodies right.
+TEST(LintFaults, DepthsOfOnePairThatAreAlwaysWrongAreNoConvention) {
+  for (const Source& source : stacks())
+    for (const Target& target : targets(source.trace, 10)) {
+      SCOPED_TRACE(source.name + (" " + target.a) + "-" + target.b);
+      Trace trace = source.trace;
+      int count = 0;
+      for (trace::Frame& frame : trace.frames)
+        for (trace::Pair& pair : frame.pairs)
+          if (pair.a == target.a && pair.b == target.b && ++count > 0)
+            for (trace::Manifold& manifold : pair.manifolds)
+              for (trace::Point& point : manifold.points) point.separation = -0.1;
+      const std::vector<Finding> findings = lint(trace);
+      ASSERT_EQ(named_in(findings), "separation ");
+      EXPECT_EQ(findings[0].count, count);
+      EXPECT_EQ(findings[0].a, target.a);
+      EXPECT_EQ(findings[0].b, target.b);
+    }
+}
+
 TEST(LintFaults, ManyBodiesThatFlyOffAreNamedWithTheOverlapBefore) {
   Trace trace = recorded_by(&test::record_in_bullet, World::Heap);
   std::vector<std::string> bodies;
@@ -191,18 +245,62 @@ TEST(LintFaults, ManyBodiesThatFlyOffAreNamedWithTheOverlapBefore) {
   EXPECT_THAT(flight->said, testing::HasSubstr("in frame " + std::to_string(flight->frame)));
 }
 
-TEST(LintFaults, EveryOccurrenceInTheRequestedFramesIsMarked) {
-  // So many that a sample would leave out most of them.
+/// A stack at rest for an hour: one of its pairs in one frame is less than 0.01 %.
+Trace long_stack(int times = 60) {
   Trace trace = stacks()[0].trace;
   const std::vector<trace::Frame> frames = trace.frames;
-  trace.frames.clear();
-  for (int n = 0; n < 60; ++n)
-    for (const trace::Frame& frame : frames) {
-      trace.frames.push_back(frame);
-      trace.frames.back().frame = count_of(trace.frames) - 1;
-      for (trace::Pair& pair : trace.frames.back().pairs)
-        for (trace::Manifold& manifold : pair.manifolds) manifold.normal = -manifold.normal;
+  const double step = frames[1].time - frames[0].time;
+  for (int n = 1; n < times; ++n)
+    for (const trace::Frame& frame : frames) trace.frames.push_back(frame);
+  for (int f = 0; f < count_of(trace.frames); ++f)
+    at(trace.frames, f).frame = f, at(trace.frames, f).time = f * step;
+  return trace;
+}
+
+/// Small ones may be rounding, and stay below the threshold.
+TEST(LintFaults, AGrossOneIsReportedHoweverRareItIs) {
+  const Trace clean = long_stack();
+  EXPECT_EQ(named_in(lint(clean)), "");
+  const Target target = targets(clean, 1).front();
+  const std::vector<std::pair<std::string, bool>> expected = {{"separations are 100 mm less", true},
+                                                              {"separations are 1 mm less", false},
+                                                              {"normals turn by 30 degrees", true},
+                                                              {"normals turn by 8 degrees", false}};
+  for (const auto& [name, is_gross] : expected) {
+    const auto fault = std::ranges::find(faults(), name, &Fault::name);
+    ASSERT_NE(fault, faults().end());
+    Trace trace = clean;
+    seed(trace, *fault, target, Often::Once);
+    const std::vector<Finding> findings = lint(trace);
+    EXPECT_EQ(!findings.empty() && findings[0].cause == fault->causes[0], is_gross)
+        << name << ": " << named_in(findings);
+    if (is_gross && !findings.empty()) {
+      EXPECT_EQ(findings[0].frame, count_of(trace.frames) / 2) << name;
     }
+    const std::vector<Finding> all = lint(trace, {.strict = true});
+    EXPECT_NE(std::ranges::find(all, fault->causes[0], &Finding::cause), all.end()) << name;
+  }
+}
+
+/// As rare ones of the same cause that are nearly as large show, the engine does this now and then.
+TEST(LintFaults, ARareOneLikeOthersOfTheTraceStaysBelowTheThreshold) {
+  Trace trace = long_stack(80);
+  const Target target = targets(trace, 1).front();
+  for (const auto& [frame, metres] : {std::pair(1000, 0.005), {2000, 0.02}})
+    for (trace::Pair& pair : at(trace.frames, frame).pairs)
+      if (pair.a == target.a && pair.b == target.b)
+        for (trace::Manifold& manifold : pair.manifolds)
+          for (trace::Point& point : manifold.points) point.separation -= metres;
+  const std::vector<Finding> findings = lint(trace);
+  EXPECT_EQ(named_in(findings), "");
+}
+
+TEST(LintFaults, EveryOccurrenceInTheRequestedFramesIsMarked) {
+  // So many that a sample would leave out most of them.
+  Trace trace = long_stack();
+  for (trace::Frame& frame : trace.frames)
+    for (trace::Pair& pair : frame.pairs)
+      for (trace::Manifold& manifold : pair.manifolds) manifold.normal = -manifold.normal;
   const int last = trace.frames.back().frame;
   for (const Finding& finding : lint(trace, {.marked = {7, last - 1}})) {
     if (finding.cause != "flipped_normals") continue;

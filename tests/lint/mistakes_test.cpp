@@ -247,6 +247,15 @@ TEST(Lint, OneFlippedNormalAmongManyIsNamed) {
   EXPECT_EQ(findings[0].a + findings[0].b, pair.a + pair.b);
 }
 
+/// Some are half as deep by chance; a convention of the recorder would halve nearly all of a pair.
+TEST(Lint, AFewSeparationsOfEachPairThatAreHalfAreNoConvention) {
+  Trace trace = heap();
+  const Trace whole = trace;
+  separations_times(0.5)(trace);
+  for (std::size_t f = 5; f < trace.frames.size(); ++f) trace.frames[f] = whole.frames[f];
+  EXPECT_THAT(causes_of(lint(trace)), testing::Not(Contains("half_depths")));
+}
+
 /// The last line of a truncated trace has one neighbouring frame fewer; around a frame that is
 /// missing in the middle, there is none to compare with.
 TEST(Lint, FramesThatAreMissingAreNoFault) {

@@ -1,6 +1,7 @@
 #include "app/check/lint.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -39,6 +40,7 @@ nlohmann::ordered_json to_json(const lint::Finding& finding) {
                               {"remedy", finding.remedy},
                               {"count", finding.count}};
   if (finding.of > 0) json["of"] = finding.of;
+  json["gross"] = std::round(1000 * finding.gross) / 1000;
   if (finding.line > 0) json["line"] = finding.line;
   if (!finding.below.empty()) json["below"] = finding.below;
   if (finding.a.empty()) return json;
@@ -59,8 +61,12 @@ namespace {
 
 constexpr const char* kSchema = "contactscope.lint/1";
 
-/// How often a finding occurs, by the name of its file and its cause.
-using Shares = std::map<std::pair<std::string, std::string>, double>;
+/// How often a finding occurs, and how gross it is, by the name of its file and its cause.
+struct Known {
+  double share = 0, gross = 0;
+};
+constexpr double kAny = 1e9;  // files of earlier versions have no 'gross'
+using Shares = std::map<std::pair<std::string, std::string>, Known>;
 
 Shares::key_type key_of(const std::string& file, const std::string& cause) {
   return {std::filesystem::path(file).filename().string(), cause};
@@ -78,8 +84,8 @@ Shares known_findings(const std::string& path) {
     if (json.at("schema") != kSchema) throw std::invalid_argument("another schema");
     for (const nlohmann::json& file : json.at("files"))
       for (const nlohmann::json& one : file.at("findings"))
-        shares[key_of(file.at("file"), one.at("cause"))] =
-            share(one.at("count"), one.value("of", 0));
+        shares[key_of(file.at("file"), one.at("cause"))] = {
+            share(one.at("count"), one.value("of", 0)), one.value("gross", kAny)};
   } catch (const std::exception& error) {
     throw InputError(path, 1, 1,
                      std::string("no findings of lint can be read here (") + error.what() +
@@ -90,7 +96,8 @@ Shares known_findings(const std::string& path) {
 
 ExitCode run_lint(const Options& options) {
   const Shares known = known_findings(options.known);
-  constexpr double kMore = 1.5;  // times as frequent: a new finding
+  constexpr double kMore = 1.5, kGrosser = 3;  // times as frequent, or as large: a new finding
+  constexpr double kSmall = 0.05;  // relative to the smaller shape; less is never grosser
   bool clean = true;
   nlohmann::ordered_json json{{"schema", kSchema}, {"files", nlohmann::ordered_json::array()}};
   const auto report = [&](const std::string& file, const std::vector<lint::Finding>& findings) {
@@ -101,7 +108,8 @@ ExitCode run_lint(const Options& options) {
       const bool is_fault = lint::is_reported(finding);
       const auto before = known.find(key_of(file, finding.cause));
       const bool is_known = is_fault && before != known.end() &&
-                            share(finding.count, finding.of) <= kMore * before->second;
+                            share(finding.count, finding.of) <= kMore * before->second.share &&
+                            finding.gross <= std::max(kSmall, kGrosser * before->second.gross);
       nlohmann::ordered_json entry = to_json(finding);
       if (is_known) entry["known"] = true;
       one[is_fault ? "findings" : finding.is_hint ? "hints" : "below"].push_back(entry);
