@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "scenario/nearest_word.h"
+#include "core/nearest_word.h"
 
 namespace contactscope::find {
 

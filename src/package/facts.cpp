@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "core/at.h"
+#include "core/nearest_word.h"
 #include "core/spell.h"
 #include "package/contactscope/version.h"
-#include "scenario/nearest_word.h"
 #include "scenario/run_facts.h"
 
 #define CONTACTSCOPE_WORD_OF(number) #number

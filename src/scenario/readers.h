@@ -12,9 +12,9 @@
 #include <toml++/toml.h>
 
 #include "core/input_error.h"
+#include "core/nearest_word.h"
 #include "core/vec3.h"
 #include "scenario/keys.h"
-#include "scenario/nearest_word.h"
 #include "scenario/scenario.h"
 
 /// Typed access to a TOML file, with line and column in every error, and the readers of each table

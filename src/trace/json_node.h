@@ -37,9 +37,11 @@ class Node {
     if (auto found = find(key)) return *found;
     lacks(key, "");
   }
-  /// Throws: a needed key is missing. `wanted` describes its value.
-  [[noreturn]] void lacks(const char* key, const std::string& wanted) const {
-    throw Complaint{where() + " has no key '" + key + "'; a trace needs it" +
+  /// Throws: a needed key is missing. `wanted` describes its value; `hint` names the key that is there
+  /// instead.
+  [[noreturn]] void lacks(const char* key, const std::string& wanted,
+                          const std::string& hint = "") const {
+    throw Complaint{where() + " has no key '" + key + "'; " + hint + "a trace needs it" +
                     (wanted.empty() ? "" : ": ") + wanted};
   }
   /// Empty if the key is missing or null, which some writers use for "missing". The last of

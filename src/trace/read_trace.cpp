@@ -3,6 +3,8 @@
 #include <istream>
 
 #include "core/input_error.h"
+#include "core/nearest_word.h"
+#include "core/plain_text.h"
 #include "trace/json_node.h"
 #include "trace/reference.h"
 
@@ -87,6 +89,13 @@ void require_more(const Node& node, const Choice& choice) {
   for (const Node& measure : measures.items()) measure.at("edge");
 }
 
+/// Why a text is wrong for a key of the reference; empty if it is allowed, or means "missing".
+std::string wrong_word(const char* table, const char* key, const std::string& text) {
+  const Key* const known = fact_key(table, key);
+  if (known == nullptr || (text.empty() && known->otherwise != "needed")) return {};
+  return not_among(known->words, printable(text));
+}
+
 /// Whether the needed key of a fact follows from other keys.
 template <class T> bool is_derived(const Node&, T&) { return false; }
 /// The vertices of a shape: of a box from its half extents, of a sphere with a radius, of a plane.
@@ -98,7 +107,9 @@ bool is_derived(const Node& node, Shape& shape) {
       for (const double y : {-half[1], half[1]})
         for (const double x : {-half[0], half[0]}) shape.vertices.emplace_back(x, y, z);
   }
-  return !shape.vertices.empty() || (shape.type == "plane" && node.find("half_space"));
+  return !shape.vertices.empty() || (shape.type == "plane" && node.find("half_space")) ||
+         !wrong_word("Shape", "type", shape.type)
+              .empty();  // that is reported; what it needs is unknown
 }
 
 /// The table of a fact in the reference.
@@ -111,11 +122,26 @@ constexpr const char* kTableOf = std::same_as<T, Header>     ? "Header"
                                  : std::same_as<T, Point>    ? "Point"
                                                              : "";
 
-[[noreturn]] void report_missing(const Node& owner, const char* table, const char* key) {
+/// Facts whose problems are all reported.
+template <class T>
+inline constexpr bool kIsOfHeader = std::same_as<T, Header> || std::same_as<T, Shape>;
+
+/// `names` are the keys of the fact.
+[[noreturn]] void report_missing(const Node& owner, const char* table, const char* key,
+                                 std::vector<std::string_view> names) {
   const Key* const known = fact_key(table, key);
-  if (known == nullptr) owner.lacks(key, "");
-  const bool follows = known->otherwise != "needed";
-  owner.lacks(key, plain(known->type) + (follows ? "; or " + plain(known->otherwise) : ""));
+  const std::string_view otherwise = known != nullptr ? known->otherwise : "needed";
+  if (otherwise != "needed") names.push_back("half_extents");  // it follows from others
+  std::string hint;
+  for (const auto& [name, value] : owner.members()) {
+    const std::string near = nearest(name, names);
+    const bool is_meant = near == key || otherwise.find("`" + near + "`") != otherwise.npos;
+    if (is_meant && near != name)
+      hint += "by '" + printable(name) + "' did you mean '" + near + "'? ";
+  }
+  if (known == nullptr) owner.lacks(key, "", hint);
+  const bool follows = otherwise != "needed";
+  owner.lacks(key, plain(known->type) + (follows ? "; or " + plain(otherwise) : ""), hint);
 }
 
 /// Calls `part`, and keeps its complaint if there is a list of problems.
@@ -156,15 +182,20 @@ template <Listed T> T read(const Node& node, const Counts* around, Problems* pro
       const Node owner = field.within != nullptr ? node.at(field.within) : node;
       if (const auto found = owner.find(field.key)) {
         reader.read(*found, value);
+        if constexpr (std::same_as<V, std::string> && kIsOfHeader<T>)
+          if (const std::string wrong = wrong_word(kTableOf<T>, field.key, value); !wrong.empty())
+            found->fail(wrong);
       } else if (field.needed() && !is_derived(node, fact)) {
-        report_missing(owner, kTableOf<T>, field.key);
+        std::vector<std::string_view> names;
+        each_field<T>([&](const auto& other) { names.push_back(other.key); });
+        report_missing(owner, kTableOf<T>, field.key, names);
       } else if (field.otherwise != nullptr) {
         field.otherwise(fact);
       }
       if constexpr (requires { value.push_back(value.front()); } && !std::same_as<V, std::string>)
         counts.lists.emplace_back(field.key, value.size());
     };
-    if constexpr (std::same_as<T, Header> || std::same_as<T, Shape>)
+    if constexpr (kIsOfHeader<T>)
       collecting(problems, read_field);
     else
       read_field();
@@ -173,17 +204,17 @@ template <Listed T> T read(const Node& node, const Counts* around, Problems* pro
   return fact;
 }
 
-/// Throws all problems at once.
-Header read_header(const Node& node, const std::string& place) {
+/// Throws all problems at once, or appends them to `problems`.
+Header read_header(const Node& node, const std::string& place, Problems* problems) {
   const Node schema = node.at("schema");
   const std::string name = schema.string();
   const std::string_view family(kSchema, std::string_view(kSchema).find('/') + 1);
   if (name != kSchema)
     schema.fail("is '" + name + "'; only '" + kSchema + "' can be read" +
                 (name.starts_with(family) ? ": update contactscope, or write that schema" : ""));
-  Problems problems;
-  Header header = read<Header>(node, nullptr, &problems);
-  if (!problems.empty()) throw Complaint{in_lines(problems, place)};
+  Problems own;
+  Header header = read<Header>(node, nullptr, problems != nullptr ? problems : &own);
+  if (!own.empty()) throw Complaint{in_lines(own, place)};
   return header;
 }
 
@@ -210,10 +241,10 @@ std::string in_lines(const std::vector<std::string>& problems, const std::string
          " more problems of this kind";
 }
 
-TraceReader::TraceReader(std::istream& in, std::string name)
+TraceReader::TraceReader(std::istream& in, std::string name, std::vector<std::string>* problems)
     : in_(in), name_(std::move(name)), json_(std::make_unique<JsonLine>()) {
   const bool any = next_line([&](const Node& line) {
-    header_ = read_header(line, name_ + ":" + std::to_string(number_) + ":1: ");
+    header_ = read_header(line, name_ + ":" + std::to_string(number_) + ":1: ", problems);
   });
   if (!any)
     throw InputError(name_, 0, 0,
@@ -236,6 +267,7 @@ void TraceReader::finish(Frame& frame, int line) {
   complete(kinds_, frame);
   frame.line = line;
   ++frames_;
+  if (change_) change_(frame);
 }
 
 std::optional<Frame> TraceReader::next() {

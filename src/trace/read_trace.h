@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <ios>
 #include <iosfwd>
 #include <memory>
@@ -42,12 +43,18 @@ std::string in_lines(const std::vector<std::string>& problems, const std::string
 class TraceReader {
  public:
   /// Reads the header. The stream must outlive the reader. `name` is the file's name in messages.
-  /// Throws InputError as read_trace() does.
-  TraceReader(std::istream& in, std::string name);
+  /// Throws InputError as read_trace() does; problems within the header are appended to `problems`
+  /// instead, if it is not null.
+  TraceReader(std::istream& in, std::string name, std::vector<std::string>* problems = nullptr);
   ~TraceReader();
 
   /// `frames` is 0 if the file does not contain it.
   const Header& header() const { return header_; }
+
+  /// Reads on as if the file had this header.
+  void assume(Header header) { header_ = std::move(header); }
+  /// Calls `change` with each frame that is read from here on.
+  void change_frames(std::function<void(Frame&)> change) { change_ = std::move(change); }
 
   /// The next frame, with derived values filled in; empty after the last one, also if a torn line
   /// follows. Throws InputError.
@@ -90,6 +97,7 @@ class TraceReader {
   int frames_ = 0;
   Header header_;
   Kinds kinds_;  // shapes of the header and of all frames so far
+  std::function<void(Frame&)> change_;
   std::optional<Torn> torn_;
 };
 

@@ -156,6 +156,7 @@ TEST(CommandLine, MisspeltWordsAreNamedWithTheNearest) {
 TEST(CommandLine, OtherSpellingsAndMissingWordsAreNamedInTheSameForm) {
   const std::pair<const char*, const char*> cases[] = {
       {"render my.toml -o x", "render has no option -o; did you mean --out?"},
+      {"render my.toml --camera-position 1", "no option --camera-position; did you mean --camera?"},
       {"render my.toml --output x", "render has no option --output; did you mean --out?"},
       {"render my.toml --eye 4 2 4", "have commas between them; write --eye 4,2,4"},
       {"render my.toml --eye 4,a,4", "--eye '4,a,4': 'a' is not a number; write --eye X,Y,Z"},

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
@@ -78,6 +80,9 @@ TEST(FindVerb, ExitCodesAndErrors) {
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("column 1 of 'overlp > 5 mm': 'overlp' is not a quantity; did "
                                    "you mean 'overlap'?"));
+  for (const std::string word : {"penetration", "depth", "Overlap"})
+    EXPECT_THAT(run("find '" + file + "' '" + word + " > 5 mm'").err,
+                HasSubstr("'" + word + "' is not a quantity; did you mean 'overlap'?"));
   const std::string broken = folder.write("broken.jsonl", crate_trace({4}) + "{\"frame\":1,}\n");
   const ProgramRun bad = run("find '" + broken + "' 'points > 4'");
   EXPECT_EQ(bad.exit_code, 2);
@@ -101,6 +106,107 @@ TEST(DiffVerb, ReportsTheFirstDifference) {
   EXPECT_EQ(json["first"]["b"], "crate");
   EXPECT_EQ(json["first"]["stage"], "points");
   EXPECT_EQ(run("diff '" + a + "'").exit_code, 2);
+}
+
+/// A run of three balls in a row on the ground, as JSON: the header and three frames.
+std::vector<nlohmann::ordered_json> row_of_balls() {
+  const auto parse = [](const std::string& text) { return nlohmann::ordered_json::parse(text); };
+  std::vector<nlohmann::ordered_json> lines = {parse(
+      R"({"schema":"contactscope.trace/1","scenario":"mine/row","scalar":"double","up":"y","shapes":{)"
+      R"("ground":{"type":"plane","half_space":{"normal":[0,1,0],"offset":0}}}})")};
+  for (const int frame : {0, 1, 2}) {
+    nlohmann::ordered_json line{{"frame", frame}, {"time", 0.1 * frame}};
+    line["poses"]["ground"] = {{"position", {0, 0, 0}}, {"quat_wxyz", {1, 0, 0, 0}}};
+    for (const int k : {0, 1, 2}) {
+      const std::string name = "ball_" + std::to_string(k);
+      lines[0]["shapes"][name] = {{"type", "sphere"}, {"radius", 1}};
+      line["poses"][name] = {{"position", {3 * k, 0.99, 0}}, {"quat_wxyz", {1, 0, 0, 0}}};
+      line["pairs"].push_back(
+          parse(R"({"a":"ground","b":")" + name + R"(","manifolds":[{"normal":[0,1,0],"points":[)" +
+                R"({"position":[)" + std::to_string(3 * k) +
+                R"(,0,0],"separation":-0.01,"impulse":{"normal":1.5,"friction":[0,0,0]}}]}]})"));
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The text, and the JSON, of `diff` after these values of the second run were changed.
+struct Compared {
+  explicit Compared(const std::map<std::string, double>& changes, const std::string& more = "") {
+    const TemporaryFolder folder;
+    const auto text = [](const nlohmann::ordered_json& lines) {
+      std::string all;
+      for (const auto& line : lines) all += line.dump() + "\n";
+      return all;
+    };
+    nlohmann::ordered_json lines = row_of_balls();
+    const std::string a = folder.write("a.jsonl", text(lines));
+    for (const auto& [place, value] : changes)
+      lines.at(nlohmann::ordered_json::json_pointer(place)) = value;
+    const std::string b = folder.write("b.jsonl", text(lines));
+    const std::string command = "diff '" + a + "' '" + b + "'";
+    result = run(command);
+    json = nlohmann::json::parse(run(command + " --json").out);
+    if (!more.empty()) drawn = run(command + " --picture '" + (folder / more) + "'");
+    is_drawn = !more.empty() && std::filesystem::exists(folder / more);
+  }
+  ProgramRun result, drawn;
+  nlohmann::json json;
+  bool is_drawn = false;
+};
+std::string at_point(int line, int pair, const std::string& rest) {
+  return "/" + std::to_string(line) + "/pairs/" + std::to_string(pair) + "/manifolds/0/points/0/" +
+         rest;
+}
+
+TEST(DiffVerb, NamesThePairThatDiffersMostInTheFirstFrameThatDiffers) {
+  const Compared runs({{at_point(2, 0, "impulse/normal"), 1.52},
+                       {at_point(2, 1, "impulse/friction/2"), -0.035},
+                       {at_point(2, 2, "impulse/normal"), 1.478},
+                       {at_point(3, 0, "impulse/normal"), 7}});
+  EXPECT_THAT(runs.result.out,
+              HasSubstr("first in frame 1, ground-ball_1, stage: solver\n  point 0 "
+                        "friction impulse (0, 0, 0) -> (0, 0, -0.035)\n  2 more "
+                        "pairs differ in this frame\n"));
+  EXPECT_EQ(runs.json["first"]["b"], "ball_1");
+  EXPECT_EQ(runs.json["first"]["more_pairs"], 2);
+  EXPECT_FALSE(runs.json.contains("header"));
+}
+
+TEST(DiffVerb, AnEarlierStageComesBeforeALargerDifference) {
+  const Compared runs({{at_point(2, 0, "impulse/normal"), 9},
+                       {at_point(2, 1, "position/0"), 3.001},
+                       {at_point(2, 1, "impulse/normal"), 8},
+                       {at_point(2, 2, "position/0"), 6.002}});
+  EXPECT_THAT(runs.result.out,
+              HasSubstr("first in frame 1, ground-ball_2, stage: points\n  point 0 "
+                        "moved 2 mm along x\n"));
+  const Compared poses({{"/2/poses/ball_0/position/1", 0.991},
+                        {"/2/poses/ball_1/position/1", 0.994},
+                        {at_point(2, 0, "impulse/normal"), 9}});
+  EXPECT_EQ(poses.json["first"]["shape"], "ball_1");
+  EXPECT_EQ(poses.json["first"]["stage"], "poses");
+  EXPECT_THAT(poses.result.out, HasSubstr("  1 more pair differs in this frame\n"));
+}
+
+TEST(DiffVerb, ADifferenceOfTheHeaderDoesNotHideTheFrames) {
+  const Compared runs({{"/0/shapes/ball_1/radius", 1.05}, {at_point(2, 2, "separation"), -0.02}},
+                      "x.png");
+  EXPECT_EQ(runs.result.exit_code, 1);
+  EXPECT_THAT(runs.result.out,
+              HasSubstr(" in the header, ball_1, stage: setup\n  radius 1.000 -> 1.050"));
+  EXPECT_THAT(runs.result.out, HasSubstr(" first in frame 1, ground-ball_2, stage: points\n"));
+  EXPECT_EQ(runs.json["header"]["shape"], "ball_1");
+  EXPECT_EQ(runs.json["first"]["frame"], 1);
+  EXPECT_EQ(runs.drawn.exit_code, 1);
+  EXPECT_TRUE(runs.is_drawn) << runs.drawn.err;
+  const Compared header({{"/0/shapes/ball_1/radius", 1.05}}, "x.png");
+  EXPECT_EQ(header.result.exit_code, 1);
+  EXPECT_FALSE(header.json.contains("first"));
+  EXPECT_THAT(header.result.out, HasSubstr("3 of 3 frames are equal"));
+  EXPECT_FALSE(header.is_drawn);
+  EXPECT_THAT(header.drawn.err, HasSubstr("no frame differs, so there is no picture"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -87,7 +88,11 @@ TEST(LintVerb, KnownAndIgnoredFindingsExitWithZero) {
   EXPECT_THAT(next.out, HasSubstr("[flipped_normals]"));
   EXPECT_EQ(run("lint --ignore half_depths '" + half + "'").exit_code, 0);
   EXPECT_EQ(run("lint --ignore half_depths:crate '" + half + "'").exit_code, 0);
-  EXPECT_EQ(run("lint --ignore half_depths:other '" + half + "'").exit_code, 1);
+  EXPECT_EQ(run("lint --ignore half_depths:crate,flipped_normals '" + half + "'").exit_code, 0);
+  const ProgramRun unknown = run("lint --ignore half_depths:crat '" + half + "'");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--ignore: there is no shape 'crat'; did you mean 'crate'? "
+                                     "there is 'crate' and 'ground'"));
   const ProgramRun misspelled = run("lint --ignore half_depth:crate '" + half + "'");
   EXPECT_EQ(misspelled.exit_code, 2);
   EXPECT_THAT(misspelled.err, HasSubstr("did you mean 'half_depths'?"));
@@ -107,6 +112,40 @@ TEST(LintVerb, AKnownFindingIsNewWhenItIsMuchGrosser) {
   const ProgramRun grosser = run_known("-0.22", "known");  // a tenth of the crate
   EXPECT_EQ(grosser.exit_code, 1);
   EXPECT_THAT(grosser.out, HasSubstr("[margin_added]"));
+}
+
+/// Findings can be ignored for a shape that is only in one of the files, or only in a later frame.
+TEST(LintVerb, IgnoredShapesMayBeInAnyFileAndFrame) {
+  const TemporaryFolder folder;
+  const std::string half = folder.write("run.jsonl", crate("0,1,0", "-0.01"));
+  const std::string shape = R"("shapes":{"late":{"type":"sphere","radius":1}},"pairs":[]})";
+  const std::string other = folder.write(
+      "other.jsonl", crate("0,1,0", "-0.02") +
+                         R"({"frame":1,"time":1,"poses":{"late":{"position":[0,9,0],)" +
+                         R"("quat_wxyz":[1,0,0,0]}},)" + shape + "\n");
+  EXPECT_EQ(run("lint --ignore half_depths:late '" + half + "'").exit_code, 2);
+  const ProgramRun both = run("lint --ignore half_depths:late '" + other + "' '" + half + "'");
+  EXPECT_EQ(both.exit_code, 1) << both.err;
+  EXPECT_THAT(both.out, HasSubstr("[half_depths]"));
+}
+
+/// Problems of single values and of the whole header come in one run.
+TEST(LintVerb, AllProblemsOfAHeaderAreNamedAtOnce) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "run.jsonl",
+      R"({"schema":"contactscope.trace/1","scenario":"crate","scalar":"single","up":"Y","shapes":{)"
+      R"("x":{"type":"cube","half_extents":[1,1,1]},"x_2":{"type":"hull","vertices":[[0,0,0]],)"
+      R"("faces":[[0,0]]},"net":{"type":"mesh","vertices":[[0,0,0],[1,0,0],[0,1,0]]}}})"
+      "\n");
+  const ProgramRun result = run("lint '" + file + "'");
+  EXPECT_EQ(result.exit_code, 2);
+  for (const char* problem :
+       {"'scalar' is 'single'; did you mean 'float'?", "'up' is 'Y'; did you mean 'y'?",
+        "'shapes.x.type' is 'cube'; did you mean 'box'?", "'scenario' is 'crate'; write it as",
+        "shape 'x_2' has a face of fewer than three", "shape 'net' is a mesh without 'faces'"})
+    EXPECT_THAT(result.err, HasSubstr(file + ":1:1: " + problem));
+  EXPECT_EQ(std::ranges::count(result.err, '\n'), 6) << result.err;
 }
 
 TEST(LintVerb, AnUnreadableTraceExitsWithTwo) {

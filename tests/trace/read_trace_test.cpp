@@ -61,6 +61,40 @@ TEST(ReadTrace, AllProblemsOfAHeaderAreNamedAtOnceWithTheirValues) {
   EXPECT_THAT(message, HasSubstr("'shapes.wall.faces[0][1]' is 1, but there are 1 vertices"));
 }
 
+TEST(ReadTrace, WrongWordsOfAHeaderAreAllNamedWithWhatIsAllowed) {
+  const std::string message = complaint(
+      R"({"schema":"contactscope.trace/1","scenario":"a/b","scalar":"single","up":"Y","shapes":{)"
+      R"("crate":{"type":"cube","half_extents":[1,1,1]},"ball":{"type":"ball","radius":1},)"
+      R"("rock":{"type":"potato","vertices":[[0,0,0]]}}})");
+  for (const char* problem :
+       {"run.jsonl:1:1: 'scalar' is 'single'; did you mean 'float'? it may be 'float' or 'double'",
+        "run.jsonl:1:1: 'up' is 'Y'; did you mean 'y'? it may be 'y' or 'z'",
+        "run.jsonl:1:1: 'shapes.crate.type' is 'cube'; did you mean 'box'? it may be 'box', ",
+        "run.jsonl:1:1: 'shapes.ball.type' is 'ball'; did you mean 'sphere'? it may be 'box', ",
+        "run.jsonl:1:1: 'shapes.rock.type' is 'potato'; it may be 'box', 'hull', "})
+    EXPECT_THAT(message, HasSubstr(problem));
+  EXPECT_EQ(std::ranges::count(message, '\n'), 4) << message;
+}
+
+TEST(ReadTrace, AKeyThatIsThereInsteadOfTheMissingOneIsNamed) {
+  const std::string header =
+      R"({"schema":"contactscope.trace/1","scenario":"a/b","scalar":"float","up":"y","shapes":{)";
+  const std::string box = complaint(header + R"("box":{"type":"box","halfExtents":[1,1,1]}}})");
+  EXPECT_THAT(box, HasSubstr("'shapes.box' has no key 'vertices'; by 'halfExtents' did you mean "
+                             "'half_extents'? a trace needs it: list of points"));
+  EXPECT_THAT(complaint(header + R"("rock":{"Vertices":[[0,0,0]],"colour":3}}})"),
+              HasSubstr("no key 'vertices'; by 'Vertices' did you mean 'vertices'? a trace needs"));
+  ordered_json frame = ordered_json::parse(to_json_line(sample_frame()));
+  frame["contacts"] = frame["pairs"];
+  frame.erase("pairs");
+  EXPECT_THAT(complaint(header_line() + frame.dump()),
+              HasSubstr("no key 'pairs'; by 'contacts' did you mean 'pairs'? a trace needs it"));
+  frame["pairs"] = frame["contacts"];
+  frame["poses"]["zebra"] = {{"position", {0, 0, 0}}, {"quaternion", {1, 0, 0, 0}}};
+  EXPECT_THAT(complaint(header_line() + frame.dump()),
+              HasSubstr("no key 'quat_wxyz'; by 'quaternion' did you mean 'quat_wxyz'? a trace"));
+}
+
 TEST(ReadTrace, ABoxWithHalfExtentsAndASphereWithARadiusNeedNoVertices) {
   std::istringstream in(
       R"({"schema":"contactscope.trace/1","scenario":"a/b","scalar":"float","up":"y","shapes":{)"

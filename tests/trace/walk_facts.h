@@ -51,6 +51,13 @@ inline Trace filled_trace() {
   Filler filler;
   filler.fill(trace.header);
   filler.fill(trace.frames);
+  // Readers allow only some words here.
+  trace.header.scalar = "float";
+  trace.header.up = "z";
+  trace.header.poses_at = "after_step";
+  for (Shape& shape : trace.header.shapes) shape.type = "hull";
+  for (Frame& frame : trace.frames)
+    for (Shape& shape : frame.shapes) shape.type = "cone";
   return trace;
 }
 

@@ -6,8 +6,10 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/cli/faults.h"
+#include "app/cli/narrow.h"
 #include "app/cli/verbs.h"
 #include "core/input_error.h"
 #include "snapshot/store.h"
@@ -98,7 +100,12 @@ ExitCode run_lint(const Options& options) {
   const Shares known = known_findings(options.known);
   constexpr double kMore = 1.5, kGrosser = 3;  // times as frequent, or as large: a new finding
   constexpr double kSmall = 0.05;  // relative to the smaller shape; less is never grosser
+  const lint::LintOptions linter = linter_options(options);
   bool clean = true;
+  std::set<std::string> shapes;
+  const auto note_shapes = [&](const auto& all) {
+    for (const auto& shape : all) shapes.insert(shape.name);
+  };
   nlohmann::ordered_json json{{"schema", kSchema}, {"files", nlohmann::ordered_json::array()}};
   const auto report = [&](const std::string& file, const std::vector<lint::Finding>& findings) {
     nlohmann::ordered_json one{{"file", file}, {"findings", nlohmann::ordered_json::array()}};
@@ -128,12 +135,15 @@ ExitCode run_lint(const Options& options) {
   each_input(
       options,
       [&](const Input& input) {
-        report(input.scenario.path,
-               lint_scenario(input.scenario, input.frames, linter_options(options)));
+        note_shapes(input.scenario.shapes);
+        report(input.scenario.path, lint_scenario(input.scenario, input.frames, linter));
       },
       [&](TraceFile& file) {
-        report(file.name(), lint_trace(file, linter_options(options), options.frames));
+        report(file.name(), lint_trace(file, linter, options.frames));
+        note_shapes(file.header().shapes);
       });
+  for (const lint::Ignored& one : linter.ignored)
+    if (!one.shape.empty()) require_shape({shapes.begin(), shapes.end()}, "--ignore", one.shape);
   if (options.json) std::cout << json.dump() << '\n';
   if (!options.write_known.empty()) {
     snapshot::write_text(options.write_known, json.dump(1) + "\n");

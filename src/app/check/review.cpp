@@ -17,7 +17,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/shard.h"
 #include "core/input_error.h"
-#include "scenario/nearest_word.h"
+#include "core/nearest_word.h"
 #include "snapshot/accept.h"
 #include "snapshot/outcome_json.h"
 #include "snapshot/report_folder.h"

@@ -11,10 +11,10 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/input_file.h"
+#include "core/nearest_word.h"
 #include "core/plain_text.h"
 #include "draw/scene/contact_facts.h"
 #include "reduce/reducer.h"
-#include "scenario/nearest_word.h"
 
 namespace contactscope::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/cli/progress.h"
 #include "core/at.h"
-#include "scenario/nearest_word.h"
+#include "core/nearest_word.h"
 #include "scenario/run.h"
 
 namespace contactscope::app {

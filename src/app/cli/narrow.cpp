@@ -7,21 +7,13 @@
 #include <tuple>
 
 #include "core/at.h"
+#include "core/nearest_word.h"
 #include "draw/scene/contact_facts.h"
-#include "scenario/nearest_word.h"
 
 namespace contactscope::app {
 namespace {
 
 constexpr std::string_view kTomlEnd = ".toml";
-
-void require_shape(const trace::Header& header, const std::string& option,
-                   const std::string& name) {
-  const std::vector<std::string_view> names = names_in(header.shapes);
-  if (std::ranges::find(names, name) != names.end()) return;
-  throw UsageError(option + ": there is no shape '" + name + "'; " + did_you_mean(name, names) +
-                   "there is " + quoted_list(names));
-}
 
 std::optional<Vec3d> place_named(const std::string& option, const std::vector<double>& numbers) {
   if (numbers.empty()) return std::nullopt;
@@ -59,6 +51,13 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 }
 
 }  // namespace
+
+void require_shape(const std::vector<std::string_view>& names, const std::string& option,
+                   const std::string& name) {
+  if (std::ranges::find(names, name) != names.end()) return;
+  throw UsageError(option + ": there is no shape '" + name + "'; " + did_you_mean(name, names) +
+                   "there is " + quoted_list(names));
+}
 
 find::Expression condition_of(const std::string& option, const std::string& text,
                               const find::Vocabulary& words) {
@@ -106,13 +105,16 @@ void keep_where(Sequence& sequence, std::vector<int>& frames, std::vector<View>&
 
 void narrow(Sequence& sequence, const Options& options) {
   if (!word_in_focus(options))
-    for (const std::string& name : options.focus) require_shape(sequence.header, "--focus", name);
+    for (const std::string& name : options.focus)
+      require_shape(names_in(sequence.header.shapes), "--focus", name);
   if (options.pair.empty() && options.shapes.empty()) return;
   if (!options.pair.empty() && options.pair.size() != 2)
     throw UsageError("--pair names two shapes, as --pair=crate,floor");
   std::set<std::string> shown(options.shapes.begin(), options.shapes.end());
-  for (const std::string& name : shown) require_shape(sequence.header, "--shapes", name);
-  for (const std::string& name : options.pair) require_shape(sequence.header, "--pair", name);
+  for (const std::string& name : shown)
+    require_shape(names_in(sequence.header.shapes), "--shapes", name);
+  for (const std::string& name : options.pair)
+    require_shape(names_in(sequence.header.shapes), "--pair", name);
   shown.insert(options.pair.begin(), options.pair.end());
   const auto is_pair = [two = options.pair](const trace::Pair& pair) {
     return two.empty() || (pair.a == two[0] && pair.b == two[1]) ||

@@ -9,6 +9,10 @@ namespace contactscope::app {
 /// Reduces a sequence to the shapes of --pair and --shapes. Throws UsageError for an unknown shape.
 void narrow(Sequence& sequence, const Options& options);
 
+/// Throws UsageError unless `names`, those of the shapes, have the one that an option was given.
+void require_shape(const std::vector<std::string_view>& names, const std::string& option,
+                   const std::string& name);
+
 /// The condition in the text of an option or argument. Throws UsageError.
 find::Expression condition_of(const std::string& option, const std::string& text,
                               const find::Vocabulary& words = find::vocabulary());

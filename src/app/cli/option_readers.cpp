@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "core/at.h"
+#include "core/nearest_word.h"
 #include "draw/scene/palette.h"
-#include "scenario/nearest_word.h"
 
 namespace contactscope::app {
 namespace {

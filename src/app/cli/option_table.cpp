@@ -5,9 +5,9 @@
 #include "app/cli/options.h"
 #include "app/render/formats/format.h"
 #include "core/at.h"
+#include "core/nearest_word.h"
 #include "draw/scene/theme.h"
 #include "reduce/reducer.h"
-#include "scenario/nearest_word.h"
 #include "study/study.h"
 
 namespace contactscope::app {

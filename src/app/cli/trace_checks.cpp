@@ -9,10 +9,10 @@
 #include "app/cli/table.h"
 #include "core/at.h"
 #include "core/input_error.h"
+#include "core/nearest_word.h"
 #include "core/newell_normal.h"
 #include "core/plain_text.h"
 #include "geometry/hull_builder.h"
-#include "scenario/nearest_word.h"
 #include "snapshot/store.h"
 #include "trace/read_trace.h"
 #include "trace/reference.h"
@@ -40,9 +40,8 @@ template <std::invocable Words> void require(bool is_right, const Words& otherwi
 /// A text that is one of the words of its key.
 template <class Place>
 void require_word(const Key& key, const std::string& text, const Place& place) {
-  require(std::ranges::find(key.words, text) != key.words.end(), [&] {
-    return place() + " is '" + text + "'; it may be " + quoted_list(key.words, " or ");
-  });
+  const std::string wrong = not_among(key.words, text);
+  require(wrong.empty(), [&] { return place() + " " + wrong; });
 }
 
 /// Faces of a convex shape listed clockwise have all other vertices in front of them.
@@ -148,8 +147,17 @@ bool is_kind(const std::string& kind) {
 
 }  // namespace
 
-TraceChecks::TraceChecks(trace::Header& header, const std::string& place) : header_(header) {
-  std::vector<std::string> problems;
+TraceChecks::TraceChecks(trace::Header& header, const std::string& place,
+                         std::vector<std::string> problems)
+    : header_(header) {
+  // A key or shape with a problem is not checked further: its values may be missing.
+  const auto is_named = [known = problems](const std::string& key) {
+    return std::ranges::any_of(known, [&](const std::string& problem) {
+      return std::ranges::any_of(std::string_view("'.["), [&](char end) {
+        return problem.find("'" + key + end) != std::string::npos;
+      });
+    });
+  };
   const auto expect = [&](bool is_right, const std::string& otherwise) {
     if (!is_right) problems.push_back(printable(otherwise));
   };
@@ -163,21 +171,15 @@ TraceChecks::TraceChecks(trace::Header& header, const std::string& place) : head
   try {
     snapshot::scenario_folder("", header.scenario);
   } catch (const std::invalid_argument&) {
-    expect(false, "'scenario' is '" + header.scenario +
-                      "'; write it as GROUP/IDEA, which is where its pictures go");
+    expect(is_named("scenario"), "'scenario' is '" + header.scenario +
+                                     "'; write it as GROUP/IDEA, which is where its pictures go");
   }
   for (const auto& [key, text] :
        {std::pair("'scenario'", &header.scenario), std::pair("'title'", &header.title),
         std::pair("'source'", &header.source), std::pair("'engine'", &header.engine)})
     each([&, &name = key, &written = text] { require_plain(name, *written); });
-  for (const auto& [key, text] : {std::pair("poses_at", &header.poses_at),
-                                  std::pair("up", &header.up), std::pair("scalar", &header.scalar)})
-    each([&, &name = key, &written = text] {
-      if (name != std::string_view("poses_at") || !written->empty())
-        require_word(*trace::fact_key("Header", name), *written,
-                     [&] { return "'" + std::string(name) + "'"; });
-    });
-  if (const std::optional<trace::ImpulseConvention>& impulses = header.impulses) {
+  const std::optional<trace::ImpulseConvention>& impulses = header.impulses;
+  if (impulses && !is_named("impulses")) {
     expect(impulses->unit == "N s" || impulses->unit == "N",
            "'impulses.unit' is '" + impulses->unit + "'; it may be 'N s', or 'N' of forces");
     expect(impulses->on == "b" || impulses->on == "a",
@@ -188,7 +190,8 @@ TraceChecks::TraceChecks(trace::Header& header, const std::string& place) : head
   }
   std::vector<trace::Shape> shapes = std::move(header.shapes);
   header.shapes.clear();
-  for (trace::Shape& shape : shapes) each([&] { add(std::move(shape)); });
+  for (trace::Shape& shape : shapes)
+    if (!is_named("shapes." + shape.name)) each([&] { add(std::move(shape)); });
   if (!problems.empty()) throw Wrong{trace::in_lines(problems, place)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "trace/trace.h"
 
@@ -15,9 +16,10 @@ class TraceChecks {
     std::string text;
   };
 
-  /// Adds convex hull faces to hulls without faces. Keeps a reference to header. Throws Wrong with all
-  /// problems, each in a line; the second and further ones have `place` in front.
-  TraceChecks(trace::Header& header, const std::string& place);
+  /// Adds convex hull faces to hulls without faces. Keeps a reference to header. Throws Wrong with
+  /// `problems`, those of reading it, and all others, each in a line; the second and further ones
+  /// have `place` in front.
+  TraceChecks(trace::Header& header, const std::string& place, std::vector<std::string> problems);
 
   /// Checks the next frame and adds its shapes to the header. Throws Wrong.
   void frame(trace::Frame& frame);

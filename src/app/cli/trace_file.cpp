@@ -103,8 +103,9 @@ TraceFile::TraceFile(std::unique_ptr<std::istream> text, const std::string& name
 }
 
 void TraceFile::begin() {
+  std::vector<std::string> problems;
   try {
-    reader_.emplace(own_ ? *own_ : std::cin, name_);
+    reader_.emplace(own_ ? *own_ : std::cin, name_, &problems);
   } catch (const InputError&) {
     if (const std::string what = foreign_in(name_); !what.empty())
       throw InputError(name_, 1, 1, what);
@@ -112,7 +113,7 @@ void TraceFile::begin() {
   }
   header_ = reader_->header();
   try {
-    checks_.emplace(header_, name_ + ":" + std::to_string(reader_->line()) + ":1: ");
+    checks_.emplace(header_, name_ + ":" + std::to_string(reader_->line()) + ":1: ", problems);
     header_.impulses.reset();
   } catch (const TraceChecks::Wrong& wrong) {
     throw InputError(name_, reader_->line(), 1, wrong.text);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/cli/option_readers.h"
-#include "scenario/nearest_word.h"
+#include "core/nearest_word.h"
 
 namespace contactscope::app {
 

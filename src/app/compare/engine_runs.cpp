@@ -6,7 +6,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/trace_file.h"
 #include "core/input_error.h"
-#include "scenario/nearest_word.h"
+#include "core/nearest_word.h"
 #include "scenario/run.h"
 #include "versus/engine.h"
 #include "versus/request.h"

@@ -13,10 +13,10 @@
 #include "app/cli/table.h"
 #include "app/cli/verbs.h"
 #include "app/render/renderer.h"
+#include "core/nearest_word.h"
 #include "draw/charts/plot.h"
 #include "image/png.h"
 #include "image/whole_file.h"
-#include "scenario/nearest_word.h"
 #include "trace/study.h"
 
 namespace contactscope::app {

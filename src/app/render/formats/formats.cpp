@@ -2,7 +2,7 @@
 
 #include "app/cli/verbs.h"
 #include "app/render/formats/format.h"
-#include "scenario/nearest_word.h"
+#include "core/nearest_word.h"
 
 namespace contactscope::app {
 

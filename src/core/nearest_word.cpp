@@ -1,4 +1,4 @@
-#include "scenario/nearest_word.h"
+#include "core/nearest_word.h"
 
 #include <algorithm>
 #include <sstream>
@@ -31,6 +31,8 @@ shapes: bodies objects geometry wireframe
 bounds: aabbs
 broad_phase: broadphase
 loads: forces
+float: single float32
+double: float64
 box: cube cuboid
 sphere: ball
 hull: convex polyhedron
@@ -38,6 +40,8 @@ mesh: trimesh triangle_mesh
 plane: half_space
 sdf: distance_field
 half_extents: extents half_size half_sizes
+quat_wxyz: quaternion orientation rotation
+pairs: contacts collisions
 position: origin translation location
 rotation: orientation
 triangles: faces indices
@@ -50,6 +54,7 @@ velocity: linear_velocity
 substeps: sub_steps
 fov_degrees: fov
 eye: camera
+overlap: penetration depth
 separation: depth distance
 points: count
 --out: -o --output --outdir --output-dir
@@ -62,21 +67,32 @@ points: count
 --frames: --frame
 --target: --look-at
 --eye: --position
+--camera: --camera-position
 render: draw
 lint: validate
 versus: compare
 shrink: minimize reduce
 )";
 
-/// The word here that has this meaning, of those in `candidates`.
-std::string meant_by(std::string_view word, const std::vector<std::string_view>& candidates) {
+/// In lower case, without underscores; options, such as -v and -V, as they are.
+std::string folded(std::string_view word) {
+  if (word.starts_with('-')) return std::string(word);
+  std::string text;
+  for (const char c : word)
+    if (c != '_') text += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return text;
+}
+
+/// The word here that has this meaning, of those in `candidates`. `word` is folded.
+std::string meant_by(const std::string& word, const std::vector<std::string_view>& candidates) {
   std::istringstream lines{std::string(kMeanings)};
   for (std::string line; std::getline(lines, line);) {
-    const std::string here = line.substr(0, line.find(':'));
-    const std::string others = line.substr(std::min(here.size() + 1, line.size())) + " ";
-    if (others.find(" " + std::string(word) + " ") != std::string::npos &&
-        std::ranges::find(candidates, here) != candidates.end())
-      return here;
+    std::istringstream words(line);
+    std::string here;
+    std::getline(words, here, ':');
+    if (std::ranges::find(candidates, here) == candidates.end()) continue;
+    for (std::string other; words >> other;)
+      if (folded(other) == word) return here;
   }
   return {};
 }
@@ -88,7 +104,10 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
   // nothing. Long words are not misspelled keys and would only cost time.
   constexpr std::size_t kLongest = 64;
   if (word.size() > kLongest) return {};
-  if (const std::string here = meant_by(word, candidates); !here.empty()) return here;
+  const std::string plain = folded(word);
+  for (const std::string_view candidate : candidates)
+    if (folded(candidate) == plain) return std::string(candidate);
+  if (const std::string here = meant_by(plain, candidates); !here.empty()) return here;
   std::string best;
   std::size_t best_distance = 0;
   for (const std::string_view candidate : candidates) {
@@ -113,6 +132,12 @@ std::string quoted_list(const std::vector<std::string_view>& words, const char* 
     list.append(1, '\'').append(words[i]).append(1, '\'');
   }
   return list;
+}
+
+std::string not_among(const std::vector<std::string_view>& words, const std::string& text) {
+  if (words.empty() || std::ranges::find(words, text) != words.end()) return {};
+  return "is '" + text + "'; " + did_you_mean(text, words) + "it may be " +
+         quoted_list(words, " or ");
 }
 
 }  // namespace contactscope
