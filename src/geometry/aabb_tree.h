@@ -74,15 +74,15 @@ template <class S> struct AabbTree {
 
   /// Adds the positions in `triangles` that query() visits to `places`. Has no branches on which boxes
   /// of a leaf are hit: they would be mispredicted. Returns false if there may be too many.
-  template <std::size_t kMost>
-  bool find_places(const Aabb<S>& box, StaticVector<int, kMost>& places) const {
+  template <std::size_t kMax>
+  bool find_places(const Aabb<S>& box, StaticVector<int, kMax>& places) const {
     const OverlapsWith<S> overlaps_box(box);
     for (int i = 0; i < count_of(nodes);) {
       const Node& node = at(nodes, i);
       const bool hit = overlaps_box(node.box);
       i = hit || node.leaf() ? i + 1 : node.next;
       if (!hit || !node.leaf()) continue;
-      if (count_of(places) + node.count > static_cast<int>(kMost)) return false;
+      if (count_of(places) + node.count > static_cast<int>(kMax)) return false;
       for (int place = node.next; place < node.next + node.count; ++place) {
         places.push_back(place);
         places.truncate(places.size() - (overlaps_box(at(boxes, place)) ? 0 : 1));

@@ -309,6 +309,7 @@ TEST(List, EveryClaimOfTheSourcesIsShownByWhatExists) {
   std::set<std::string> studies;
   const auto listed = nlohmann::json::parse(run("list studies --json").out);
   for (const auto& study : listed["studies"]) studies.insert("study " + std::string(study["name"]));
+  const std::string source = CONTACTSCOPE_SOURCE_DIR "/";
   int gaps = 0, shown = 0;
   for (const std::string what : {"gregorius", "catto", "survey", "lecture", "course"}) {
     const auto rows = nlohmann::json::parse(run("list " + what + " --json").out)[what];
@@ -326,11 +327,11 @@ TEST(List, EveryClaimOfTheSourcesIsShownByWhatExists) {
         ++shown;
         if (studies.contains(entry)) continue;
         if (entry.find('.') != std::string::npos) {
-          EXPECT_TRUE(std::filesystem::exists(entry)) << row;
+          EXPECT_TRUE(std::filesystem::exists(source + entry)) << row;
           continue;
         }
         const std::size_t colon = std::min(entry.find(':'), entry.size());
-        const std::string name = "scenarios/" + entry.substr(0, colon);
+        const std::string name = source + "scenarios/" + entry.substr(0, colon);
         if (std::filesystem::exists(name + ".jsonl")) continue;
         ASSERT_TRUE(std::filesystem::exists(name + ".toml")) << row;
         const int frame = colon < entry.size() ? std::stoi(entry.substr(colon + 1)) : 0;

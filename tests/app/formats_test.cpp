@@ -135,7 +135,7 @@ TEST_F(Formats, ConflictingOptionsAreRefused) {
   for (const auto& [options, record] :
        {std::pair{"--strip 0", "2 to 64"},
         {"--strip 4 --format apng", "--strip is one picture, and --format apng"},
-        {"--sheet --format webp,png", "--sheet is one picture"},
+        {"--sheet --format apng,png", "--sheet is one picture"},
         {"--strip 4 --sheet", "leave out one"},
         {"--columns 2", "--strip or --sheet"},
         {"--strip 2 --columns 0", "1 to 64"}}) {

@@ -71,7 +71,8 @@ TEST_F(PanelSheet, SummaryNamesThePairAndSpellsItsFacts) {
 }
 
 TEST_F(PanelSheet, SummaryShowsAMeasuredTimeOnlyWhereThereIsOne) {
-  EXPECT_THAT(texts(filled(Panel::Summary, kSheet, {.pipeline_nanoseconds = 1234}).drawing), Contains("1.23 µs"));
+  EXPECT_THAT(texts(filled(Panel::Summary, kSheet, {.pipeline_nanoseconds = 1234}).drawing),
+              Contains("1.23 µs"));
   EXPECT_THAT(texts(filled(Panel::Summary).drawing), Not(Contains("pipeline")));
 }
 
