@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -322,8 +321,8 @@ TEST(List, EveryClaimOfTheSourcesIsShownByWhatExists) {
         ++gaps;
         continue;
       }
-      for (const auto part : std::views::split(entries, std::string_view(", "))) {
-        const std::string entry(part.begin(), part.end());
+      std::istringstream parts(entries);
+      for (std::string entry; std::getline(parts >> std::ws, entry, ',');) {
         ++shown;
         if (studies.contains(entry)) continue;
         if (entry.find('.') != std::string::npos) {

@@ -105,8 +105,10 @@ ComparedRuns compare(TraceFile& a, TraceFile& b) {
     for (TraceFile* file : {&a, &b}) {
       file->rewind();
       file->reader().change_frames([most](trace::Frame& frame) {
-        std::ranges::stable_partition(frame.poses, [&](auto& one) { return one.first == most; });
-        std::ranges::stable_partition(frame.pairs, [&](auto& one) { return key_of(one) == most; });
+        std::stable_partition(frame.poses.begin(), frame.poses.end(),
+                              [&](auto& one) { return one.first == most; });
+        std::stable_partition(frame.pairs.begin(), frame.pairs.end(),
+                              [&](auto& one) { return key_of(one) == most; });
       });
     }
     RunComparison again = snapshot::compare_runs(a.reader(), b.reader(), workers);
