@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/at.h"
 #include "core/spell.h"
 #include "study/picture_results.h"
