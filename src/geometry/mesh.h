@@ -53,7 +53,6 @@ template <class S> struct Mesh {
                                                // without a neighbour, see find_seams(); -1: none.
                                                // Empty if all are -1. From triangle_count() on:
                                                // surfaces of other shapes, see join_seams()
-  double seam = kSeam;                         // how wide they may be, see weld()
   std::vector<Vec3<S>> normals;                // unit, to the front; zero if the area is zero. Then
                                                // those of the surfaces of other shapes
   std::vector<std::array<EdgeClass, 3>> edges;
@@ -61,6 +60,7 @@ template <class S> struct Mesh {
                                       // bent by at most kFlatEdgeAngle. An entry per normal
   std::vector<std::uint8_t> slivers;  // 1: lower than kSliver of the longest edge; otherwise 0
   AabbTree<S> tree;
+  double seam = kSeam;  // how wide seams may be, see weld()
 
   int triangle_count() const { return static_cast<int>(triangles.size()); }
   /// Corner k, 0 <= k < 3, of a triangle.

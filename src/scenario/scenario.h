@@ -55,7 +55,7 @@ struct ScenarioShape {
   // A contact uses the geometric mean of both shapes' friction, and the larger restitution.
   std::optional<double> friction{};     // default: the world's
   std::optional<double> restitution{};  // default: the world's
-  double weld = kSeam;                  // of a hull or mesh, see PlacedSurface
+  double weld = kSeam;                  // of a hull, see PlacedSurface; a mesh has its own
 
   /// The shape that is rounded and collided: `geometry`, or, if that is far from its own origin,
   /// the same shape about its centre (see shape.h), which is at `collider_origin` in the file's

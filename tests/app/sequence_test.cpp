@@ -85,8 +85,8 @@ TEST(Sequence, ALongTraceIsSampled) {
   EXPECT_THAT(places, ElementsAre(0u, 0u, 20u, 20u, 62u, 62u));
   // The frame before is read for those that were not shown last.
   std::vector<int> before;
-  const auto note = [&](std::size_t) {
-    before.push_back((sequence.before ? *sequence.before : sequence.last).frame);
+  const auto note = [&](std::size_t i) {
+    before.push_back(sequence.recent(sequence.frames[i].frame - 2)->frame);
   };
   sequence.each({2, 666, 668}, note, true);
   EXPECT_THAT(before, ElementsAre(0, 664, 666));

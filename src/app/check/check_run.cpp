@@ -343,8 +343,8 @@ void require_folder(const Options& options) {
                    "another with --snapshots DIR, or create it with check --write-missing");
 }
 
-/// Hash common to the shards of one run: of the program and the inputs. Excludes snapshots: a shard with --update may write
-/// some before the next shard starts.
+/// Hash common to the shards of one run: of the program and the inputs. Excludes snapshots: a shard
+/// with --update may write some before the next shard starts.
 std::string made_of(const std::vector<Input>& inputs) {
   std::string all = snapshot::sha256_of_file("/proc/self/exe");
   for (const Input& input : inputs)

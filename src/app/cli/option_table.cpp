@@ -95,9 +95,8 @@ const std::vector<Option>& option_table() {
        "The folders that the shards had as --out, one for all or one each", kFolder},
       {"[WHAT]", "", "list", &Options::what,
        "scenarios, reducers, broad_phases, continuous, layers, panels, studies; words, the texts "
-       "in "
-       "pictures; sources, what shows each claim of the four documents, or of gregorius, catto, "
-       "survey or lecture alone; or course, the scenes in the order to learn from",
+       "in pictures; sources, what shows each claim of the four documents, or of gregorius, "
+       "catto, survey or lecture alone; or course, the scenes in the order to learn from",
        only(kListed)},
       {"[VERB]", "", "help", &Options::what,
        "A verb that contactscope --help lists; or scenario, for all keys of a scenario. trace also "

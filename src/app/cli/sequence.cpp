@@ -86,7 +86,7 @@ void Sequence::each(const std::vector<int>& wanted, const std::function<void(std
   const auto is_wanted = [&](std::size_t i) {
     return i < numbers.size() && std::ranges::binary_search(wanted, numbers[i]);
   };
-  before.reset();
+  last.reset(), before.reset();
   for (std::size_t i = 0; i < numbers.size() && numbers[i] <= wanted.back(); ++i) {
     if (!is_wanted(i) && !(with_before && is_wanted(i + 1))) {
       file->skip();
@@ -107,6 +107,12 @@ void Sequence::each(const std::vector<int>& wanted, const std::function<void(std
     last = std::move(*frame);
     before.reset();
   }
+}
+
+const trace::Frame* Sequence::recent(int number) const {
+  for (const std::optional<trace::Frame>* one : {&before, &last})
+    if (*one && (*one)->frame == number) return &**one;
+  return nullptr;
 }
 
 Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget) {

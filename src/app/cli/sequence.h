@@ -22,9 +22,11 @@ struct Sequence {
   std::shared_ptr<TraceFile> file{};  // for a long trace: source of the other frames
   std::function<void(trace::Frame&)>
       trim{};  // applies --pair and --shapes to a frame; empty without them
-  /// During each(), of a long trace: the frame that was shown last, and that before the shown one.
-  trace::Frame last{};
-  std::optional<trace::Frame> before{};
+  /// During each(), of a long trace: the frame that was shown last, and one read before the shown
+  /// one.
+  std::optional<trace::Frame> last{}, before{};
+  /// One of these two by its number; nullptr if it is neither.
+  const trace::Frame* recent(int number) const;
 
   /// Shows each frame of `wanted` (increasing) by its index in `frames`. A frame that is not in
   /// memory temporarily replaces the sampled one. `with_before`: reads also the frame before each.

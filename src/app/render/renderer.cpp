@@ -105,12 +105,7 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
     draw::Drawing& drawing = drawn.drawing;
     if (panels) {
       const Timed timed(log_, "panels");
-      draw::PanelMoment moment{index};
-      const int previous = sequence.frames[index].frame - 1;
-      if (sequence.before && sequence.before->frame == previous)
-        moment.before = &*sequence.before;
-      else if (sequence.file && shown && sequence.last.frame == previous)
-        moment.before = &sequence.last;
+      draw::PanelMoment moment{index, sequence.recent(sequence.frames[index].frame - 1)};
       if (index < sequence.nanoseconds.size())
         moment.pipeline_nanoseconds = sequence.nanoseconds[index];
       for (const std::string& what : panels->add(moment, drawing)) {
@@ -126,7 +121,7 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
   if (sequence.file) {
     // Paints each frame while another thread draws the next one.
     const auto sink_last = [&] {
-      if (shown) sink(sequence.last, std::move(*shown));
+      if (shown) sink(*sequence.last, std::move(*shown));
     };
     const auto show = [&](std::size_t index) {
       stop_if_interrupted();
