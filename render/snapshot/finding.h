@@ -168,15 +168,12 @@ struct Outcome {
   std::string snapshots;  // folder as given by the user
   bool facts_only = false;
   std::optional<Shard> shard{};
-  std::vector<std::string> all{};  // for a shard: names of all scenarios, sorted
-  std::string made_of{};           // for a shard: hash of the program and all scenario files
   std::vector<ScenarioOutcome> scenarios{};  // sorted by name; in files after the counts
 
   static constexpr auto fields() {
     using O = Outcome;
     using namespace trace::field;
-    return list(exact<&O::snapshots>, exact<&O::facts_only>.where_set(), exact<&O::shard>,
-                exact<&O::all>.where_set(), exact<&O::made_of>.where_set());
+    return list(exact<&O::snapshots>, exact<&O::facts_only>.where_set(), exact<&O::shard>);
   }
 };
 

@@ -107,11 +107,6 @@ void ReportFolder::add_file(const std::string& path, const std::string& text) {
   write_text(aside_ / path, text);
 }
 
-void ReportFolder::copy_file(const fs::path& from, const std::string& path) {
-  fs::create_directories((aside_ / path).parent_path());
-  fs::copy_file(from, aside_ / path, fs::copy_options::overwrite_existing);
-}
-
 fs::path ReportFolder::publish(const Outcome& outcome) {
   add_file(std::string(kFindings), to_json(outcome));
   fs::create_directories(folder_);

@@ -33,14 +33,10 @@ class ReportFolder {
   /// Another file: its path relative to the folder, and its text.
   void add_file(const std::string& path, const std::string& text);
 
-  /// Copies a file of another report.
-  void copy_file(const std::filesystem::path& from, const std::string& path);
-
   /// Moves all files into place. Files of an older report are removed, other files stay. Returns
   /// the path of findings.json.
   std::filesystem::path publish(const Outcome& outcome);
 
-  const std::filesystem::path& folder() const { return folder_; }
   /// The temporary folder.
   const std::filesystem::path& aside() const { return aside_; }
 

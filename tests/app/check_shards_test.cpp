@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <future>
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
-#include "image/sha256.h"
 
 namespace contactscope::test {
 namespace {
@@ -31,70 +31,47 @@ class CheckShards : public testing::Test {
                    (folder_ / "snapshots") + "' --out '" + (folder_ / out) + "' " + arguments,
                environment);
   }
-  ProgramRun merge(const std::string& arguments = "") const {
-    return run("merge '" + (folder_ / "out") + "' --out '" + (folder_ / "out") + "' " + arguments);
-  }
-  /// The report without times.
+  /// Every file of the report.
   std::map<std::string, std::string> report() const {
     std::map<std::string, std::string> files;
     for (const std::string& file : files_below(folder_ / "out/check"))
-      if (!file.starts_with("times")) files[file] = read_text(folder_ / ("out/check/" + file));
+      files[file] = read_text(folder_ / ("out/check/" + file));
     return files;
   }
 
   TemporaryFolder folder_;
 };
 
-TEST_F(CheckShards, MergedTheyAreTheReportOfOneRun) {
+TEST_F(CheckShards, TogetherTheyHaveTheFindingsOfOneRun) {
+  using nlohmann::json;
   EXPECT_EQ(check().exit_code, 1);
-  const auto whole = report();
-  EXPECT_TRUE(whole.contains("group/two/frame_0000.actual.png"));
-  std::filesystem::remove_all(folder_ / "out/check");
-  int failed = 0;
-  for (const char* part : {"2/2", "1/2"}) failed += check(std::string("--shard ") + part).exit_code;
+  const auto findings = [&](const std::string& report) {
+    return json::parse(read_text(folder_ / ("out/" + report + "/findings.json")));
+  };
+  json expected = findings("check").at("scenarios"), joined = json::array();
+  EXPECT_EQ(expected.size(), 3u);
+  int failed = 0, parts_with_picture = 0;
+  for (const std::string part : {"1", "2"}) {
+    failed += check("--shard " + part + "/2").exit_code;
+    const std::string own = "check_" + part + "_of_2";
+    const json found = findings(own);
+    EXPECT_EQ(found.at("shard"), json({{"part", part[0] - '0'}, {"of", 2}}));
+    for (const json& scenario : found.at("scenarios")) joined.push_back(scenario);
+    parts_with_picture +=
+        std::filesystem::exists(folder_ / ("out/" + own + "/group/two/frame_0000.actual.png"));
+  }
   EXPECT_EQ(failed, 1) << "one of them has the scenario that was moved";
-  const ProgramRun merged = merge();
-  EXPECT_EQ(merged.exit_code, 1);
-  EXPECT_THAT(merged.err, HasSubstr("3 scenarios: 2 the same, 1 fails"));
-  EXPECT_EQ(report(), whole);
-  EXPECT_EQ(check("--accept group/two").exit_code, 0) << "a merged report is one to accept from";
-  EXPECT_EQ(check().exit_code, 0);
+  EXPECT_EQ(parts_with_picture, 1);
+  std::sort(joined.begin(), joined.end(),
+            [](const json& a, const json& b) { return a.at("scenario") < b.at("scenario"); });
+  EXPECT_EQ(joined, expected);
+  for (const char* part : {"1/2", "2/2"}) check(std::string("--accept '*' --shard ") + part);
+  EXPECT_EQ(check().exit_code, 0) << "each part's report is one to accept from";
 }
 
-TEST_F(CheckShards, AMissingShardIsNamed) {
-  check("--shard 1/3");
-  check("--shard 3/3");
-  const ProgramRun merged = merge();
-  EXPECT_EQ(merged.exit_code, 2);
-  EXPECT_THAT(merged.err, HasSubstr("shard 2 of 3 is missing"));
+TEST_F(CheckShards, PartsThatDoNotExistAreRefused) {
   EXPECT_EQ(check("--shard 4/3").exit_code, 2);
   EXPECT_EQ(check("--shard two").exit_code, 2);
-}
-
-TEST_F(CheckShards, AShardThatIsThereTwiceIsNamed) {
-  check("--shard 1/2");
-  check("--shard 2/2");
-  std::filesystem::copy(folder_ / "out/check_1_of_2", folder_ / "out/check_copy");
-  EXPECT_THAT(merge().err, HasSubstr("shard 1 of 2 is there twice"));
-}
-
-TEST_F(CheckShards, ShardsOfDifferentRunsAreRefused) {
-  check("--shard 1/2");
-  check("--shard 2/2 --facts-only");
-  EXPECT_THAT(merge().err, HasSubstr("not parts of one"));
-}
-
-TEST_F(CheckShards, OneThatIsLeftFromAnEarlierRunIsRefused) {
-  check("--shard 1/2");
-  check("--shard 2/2");
-  EXPECT_EQ(merge().exit_code, 1);
-  folder_.write("scenarios/group/one.toml", small_scenario() + "# another comment\n");
-  check("--shard 1/2");
-  const ProgramRun merged = merge();
-  EXPECT_EQ(merged.exit_code, 2);
-  EXPECT_THAT(merged.err, HasSubstr("is from an earlier run; run its shard again"));
-  check("--shard 2/2");
-  EXPECT_EQ(merge().exit_code, 1);
 }
 
 TEST_F(CheckShards, EveryCheckRunsAllScenarios) {
@@ -107,22 +84,6 @@ TEST_F(CheckShards, EveryCheckRunsAllScenarios) {
   text[text.find("-0.00") + 4] = '9';
   folder_.write("snapshots/group/one/trace.jsonl", text);
   EXPECT_EQ(check().exit_code, 1) << "a stored digit";
-  const auto times = nlohmann::json::parse(read_text(folder_ / "out/check/times.json"));
-  EXPECT_EQ(times.size(), 3u);
-}
-
-TEST_F(CheckShards, TheirReportsNameTheProgram) {
-  // sha256sum hashes the program and its result independently.
-  const std::string listed = folder_ / "notes.txt";
-  const std::string sum = "sha256sum < '" CONTACTSCOPE_BINARY_DIR "/contactscope' > ";
-  ASSERT_EQ(std::system((sum + "'" + listed + "'").c_str()), 0);
-  std::string made_of = read_text(listed).substr(0, 64);
-  for (const char* name : {"one", "three", "two"})
-    made_of += std::string("\ngroup/") + name + " " +
-               sha256(read_text(folder_ / ("scenarios/group/" + std::string(name) + ".toml")));
-  check("--shard 1/2 --facts-only");
-  const auto report = nlohmann::json::parse(read_text(folder_ / "out/check_1_of_2/findings.json"));
-  EXPECT_EQ(report.at("made_of"), sha256(made_of));
 }
 
 TEST_F(CheckShards, SeveralProcessesWithOneFolderDoNotHarmEachOther) {

@@ -135,7 +135,7 @@ TEST(CommandLine, CompletionsAreWordsOfTheTable) {
   EXPECT_THAT(lines("render --panels = summ"), HasSubstr("\nsummary\n")) << "words of bash";
   EXPECT_THAT(lines("trace ''"), HasSubstr("\nhull/face_contact\n"));
   EXPECT_THAT(lines("trace ''"), EndsWith("\n:files\n"));
-  EXPECT_EQ(lines("merge ''"), ":folders\n");
+  EXPECT_EQ(lines("check --out ''"), ":folders\n");
   EXPECT_THAT(lines("study ''"), HasSubstr("tunnelling\n"));
 }
 
@@ -257,11 +257,6 @@ TEST(CommandLine, BadScenariosAreFindingsOfACheckThatRunsTheOthers) {
   }
   EXPECT_TRUE(std::filesystem::exists(folder / "snapshots/a/second/trace.jsonl"));
   EXPECT_TRUE(std::filesystem::exists(folder / "out/check/report.html"));
-  for (const char* part : {"1/2", "2/2"}) run(check + "--shard " + part, "CI=");
-  const ProgramRun merged =
-      run("merge '" + (folder / "out") + "' --out '" + (folder / "out") + "'");
-  EXPECT_EQ(merged.exit_code, 2);
-  EXPECT_THAT(merged.out, HasSubstr("unreadable  " + root + "/a/first.toml:1:"));
 }
 
 TEST(CommandLine, TwoScenariosOfOneNameAreRefusedAndOneNamedTwiceIsTakenOnce) {

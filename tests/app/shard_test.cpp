@@ -4,9 +4,6 @@
 
 #include <set>
 
-#include "core/input_error.h"
-#include "support/temporary_folder.h"
-
 namespace contactscope::app {
 namespace {
 
@@ -28,21 +25,10 @@ TEST(Shard, EachScenarioIsInOnePart) {
   }
 }
 
-TEST(Shard, PartsAreBalancedByTime) {
+TEST(Shard, PartsAreBalancedByCost) {
   const std::vector<Costed> all = {{"a/long", 10}, {"b/b", 4}, {"c/c", 3}, {"d/d", 3}};
   EXPECT_THAT(names_in_shard(all, {1, 2}), ElementsAre("a/long"));
   EXPECT_THAT(names_in_shard(all, {2, 2}), ElementsAre("b/b", "c/c", "d/d"));
-}
-
-TEST(Shard, ScenariosWithoutATimeCostTheMedian) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("times.json", R"({"a/a":10,"b/b":4,"c/c":1})");
-  std::vector<Costed> scenarios = {{"a/a"}, {"b/b"}, {"c/c"}, {"new/one"}};
-  read_times(file, scenarios);
-  EXPECT_EQ(scenarios[0].cost, 10);
-  EXPECT_EQ(scenarios[3].cost, 4);
-  EXPECT_THROW(read_times(folder / "none.json", scenarios), InputError);
-  EXPECT_THROW(read_times(folder.write("torn.json", "{"), scenarios), InputError);
 }
 
 }  // namespace

@@ -57,13 +57,12 @@ repository() {
   scenario scenarios/hull/moved.toml 0.48
 }
 
-# The merged report is that of one run, byte for byte, but for times.
-same_as_one_run() {
-  contactscope check --fresh --quiet --out whole > /dev/null
-  for file in findings.json report.html hull/moved/frame_0000.actual.png; do
-    sed 's/ --out whole//g' "whole/check/$file" > whole.txt
-    cmp whole.txt "out/check/$file" || fail "$file is not that of one run"
-  done
+# The reports of four parts are there, and one of them, with the changed scenario, fails.
+one_part_fails() {
+  passing=$(grep -l '^ "same": true' shards/check_*_of_4/findings.json | wc -l)
+  failing=$(grep -l '^ "same": false' shards/check_*_of_4/findings.json | wc -l)
+  [ "$passing $failing" = "3 1" ] || fail "$passing parts pass and $failing fail, not 3 and 1"
+  [ "$(ls shards/check_*_of_4/hull/moved/frame_0000.actual.png | wc -l)" = 1 ] || fail "the picture is not there once"
 }
 
 # As many pictures as all scenarios have.

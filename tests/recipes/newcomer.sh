@@ -39,10 +39,7 @@ contactscope review --list | grep -q '^rejected *hull/crate/frame_0001' || fail 
 
 # Four machines.
 for part in 1 2 3 4; do contactscope check --shard $part/4 --out shards --quiet > /dev/null; done
-contactscope merge shards --junit merged.xml > log 2>&1
-[ $? = 1 ] || fail "the merged report fails too: $(cat log)"
-grep -q 'failures="1"' merged.xml || fail "merged JUnit counts no failure"
-contactscope check --accept '*' || fail "a merged report is none to accept from"
+for part in 1 2 3 4; do contactscope check --accept '*' --shard $part/4 --out shards; done
 recipe 0 "contactscope check"
 
 timeout -s INT --preserve-status 0.3 contactscope study stability --cases 1000 > log 2>&1

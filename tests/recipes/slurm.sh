@@ -73,7 +73,6 @@ END
 if [ "${3:-}" = stand-in ]; then stand_in; else real; fi
 repository
 recipe 1 "sbatch --wait --array=1-4 --wrap='contactscope check --shard \$SLURM_ARRAY_TASK_ID/\$SLURM_ARRAY_TASK_COUNT --out shards'"
-recipe 1 "contactscope merge shards"
-same_as_one_run
+one_part_fails
 recipe 0 "sbatch --wait --array=1-4 --wrap='contactscope render hull --shard \$SLURM_ARRAY_TASK_ID/\$SLURM_ARRAY_TASK_COUNT'"
 all_rendered

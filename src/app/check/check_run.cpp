@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <future>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -19,7 +18,6 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/spell.h"
-#include "image/sha256.h"
 #include "scenario/run.h"
 #include "snapshot/brittle.h"
 #include "snapshot/check.h"
@@ -343,29 +341,6 @@ void require_folder(const Options& options) {
                    "another with --snapshots DIR, or create it with check --write-missing");
 }
 
-/// Hash common to the shards of one run: of the program and the inputs. Excludes snapshots: a shard
-/// with --update may write some before the next shard starts.
-std::string made_of(const std::vector<Input>& inputs) {
-  std::string all = snapshot::sha256_of_file("/proc/self/exe");
-  for (const Input& input : inputs)
-    all += "\n" + input.scenario.name + " " +
-           (input.unreadable.empty()
-                ? snapshot::sha256_of_file(input.trace ? input.file : input.scenario.path)
-                : input.unreadable);
-  return sha256(all);
-}
-
-/// Keeps the times of scenarios that did not run.
-std::string merged_times(const fs::path& folder, const nlohmann::ordered_json& times) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::object();
-  if (const auto text = snapshot::read_text_file(folder / "times.json")) {
-    all = nlohmann::ordered_json::parse(*text, nullptr, false);
-    if (!all.is_object()) all = nlohmann::ordered_json::object();
-  }
-  all.update(times);
-  return all.dump(1) + "\n";
-}
-
 }  // namespace
 
 snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) {
@@ -376,27 +351,20 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
   snapshot::Outcome outcome{options.snapshot_root, options.facts_only, options.shard};
   const std::vector<std::string> all =
       mapped(inputs, [](const Input& input) { return input.scenario.name; });
-  if (options.shard) outcome.made_of = made_of(inputs);
   // Default costs: a picture costs about as much as ten frames of facts.
   if (options.shard)
-    outcome.all = keep_shard(inputs, options, [](const Input& input) {
+    keep_shard(inputs, *options.shard, [](const Input& input) {
       const SnapshotSettings& stored = input.scenario.snapshots;
       const int pictures = count_of(stored.frames) * count_of(input.scenario.views);
       return 1.0 + 0.1 * input.scenario.frames + pictures;
     });
 
-  nlohmann::ordered_json times = nlohmann::ordered_json::object();
   {
     Progress progress(count_of(inputs), options.quiet);
     for (Input& input : inputs) {
       stop_if_interrupted();
-      const std::string name = input.scenario.name;
-      progress.advance(name);
-      const auto begin = std::chrono::steady_clock::now();
+      progress.advance(input.scenario.name);
       outcome.scenarios.push_back(checked(checker, input));
-      const std::chrono::duration<double, std::milli> time =
-          std::chrono::steady_clock::now() - begin;
-      times[name] = std::round(time.count() * 10) / 10;
     }
   }
   const bool is_first = !options.shard || options.shard->part == 1;
@@ -405,7 +373,6 @@ snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) 
       outcome.scenarios.push_back(std::move(orphan));
   }
   std::ranges::stable_sort(outcome.scenarios, {}, &ScenarioOutcome::scenario);
-  report.add_file("times.json", merged_times(report.folder(), times));
   rewrite_page(report.aside(), outcome, options);
   report.publish(outcome);
   if (options.verbose) checker.log().print(std::cerr, "check");

@@ -48,8 +48,6 @@ void finish(Options& options) {
   if (options.write_missing && options.update == snapshot::Update::None)
     options.update = snapshot::Update::Missing;
   check_word(options);
-  if (!options.times.empty() && !options.shard)
-    throw UsageError("--times balances shards; add --shard K/N");
 }
 
 }  // namespace contactscope::app

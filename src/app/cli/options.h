@@ -79,7 +79,6 @@ struct CheckOptions {
   bool github = false;                   // annotations on standard output
   std::string pictures = "auto";         // for `show`: method of drawing in a terminal
   std::optional<snapshot::Shard> shard;  // part of all scenarios
-  std::string times;                     // file with the cost of each scenario
   bool fresh = false;                    // of older versions, which skipped unchanged scenarios
 };
 

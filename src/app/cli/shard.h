@@ -16,18 +16,14 @@ struct Costed {
   double cost = 1;
 };
 
-/// Reads OUT/check/times.json of an earlier run, in milliseconds. Unknown scenarios get the median
-/// cost. Throws InputError.
-void read_times(const std::string& path, std::vector<Costed>& scenarios);
-
 /// Names in one shard: the costliest first, each to the shard with the least cost so far.
 /// Deterministic on every machine for the same names and costs; each name is in exactly one shard.
 std::vector<std::string> names_in_shard(std::vector<Costed> scenarios,
                                         const snapshot::Shard& shard);
 
-/// Keeps the inputs of the requested shard, by --times or `cost`; returns the names of all.
-std::vector<std::string> keep_shard(std::vector<Input>& inputs, const Options& options,
-                                    const std::function<double(const Input&)>& cost);
+/// Keeps the inputs of a shard.
+void keep_shard(std::vector<Input>& inputs, const snapshot::Shard& shard,
+                const std::function<double(const Input&)>& cost);
 
 /// Name of the shard's report folder: "check_2_of_5", so that shards with one --out do not collide.
 std::string folder_of(const snapshot::Shard& shard);

@@ -15,7 +15,7 @@ namespace contactscope::app {
 // Each is defined in the file of its name.
 Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), doctor_verb(),
     list_verb(), lint_verb(), versus_verb(), find_verb(), diff_verb(), shrink_verb(), review_verb(),
-    show_verb(), merge_verb();
+    show_verb();
 
 /// main.cpp turns `help render` into `render --help`.
 Verb help_verb() {
@@ -32,7 +32,7 @@ const std::vector<Verb>& verbs() {
   static const std::vector<Verb> all = {render_verb(), trace_verb(),   check_verb(),  review_verb(),
                                         show_verb(),   explore_verb(), study_verb(),  lint_verb(),
                                         find_verb(),   diff_verb(),    versus_verb(), shrink_verb(),
-                                        doctor_verb(), list_verb(),    merge_verb(),  help_verb()};
+                                        doctor_verb(), list_verb(),    help_verb()};
   return all;
 }
 

@@ -176,7 +176,7 @@ ExitCode run_render(const Options& options) {
     throw UsageError("--sheet shows a frame of each scenario; leave out --where");
   if (!options.condition.empty()) condition_of("--where", options.condition);  // fails early
   if (options.shard)
-    keep_shard(inputs, options, [&](const Input& input) {
+    keep_shard(inputs, *options.shard, [&](const Input& input) {
       return 1.0 + count_of(input.frames) * count_of(selected_views(input.scenario, options));
     });
   const auto count_pictures = [&] {
