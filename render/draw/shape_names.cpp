@@ -10,7 +10,7 @@
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
 #include "image/font.h"
-#include "view/shape_name.h"
+#include "view/words.h"
 
 /// Names of shapes, written on the shapes, so that the legend need not list them.
 namespace contactscope::draw {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "image/png_chunks.h"
+#include "image/png.h"
 
 namespace contactscope {
 

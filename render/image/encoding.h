@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace contactscope {
@@ -15,5 +17,18 @@ inline constexpr int kFastestDeflate = 1;
 /// that compresses. Deterministic on one machine; level 1 may find other matches on another type of
 /// processor. Thread-safe.
 Bytes zlib_stream(std::span<const std::uint8_t> bytes, int level);
+
+/// RFC 4648, with padding.
+std::string base64(std::string_view bytes);
+
+/// SHA-256 (FIPS 180-4) as 64 hexadecimal digits, like `sha256sum`.
+std::string sha256(std::string_view bytes);
+
+/// Compresses to a gzip file (RFC 1952) without name and time.
+std::string gzip(std::string_view bytes);
+
+/// Decompresses a gzip file with one member. Throws std::runtime_error if it is invalid, truncated,
+/// or holds more than 2 GiB.
+std::string gunzip(std::string_view file);
 
 }  // namespace contactscope

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "image/base64.h"
+#include "image/encoding.h"
 
 namespace contactscope {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "image/image.h"
-#include "image/png_chunks.h"
+#include "image/png.h"
 
 namespace contactscope {
 

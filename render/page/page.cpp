@@ -8,11 +8,16 @@
 #include "core/at.h"
 #include "core/spell.h"
 #include "page/facts.h"
-#include "page/page_data.h"
 #include "vector/markup.h"
 #include "vector/svg.h"
 
 namespace contactscope::page {
+
+/// page.html, page.css and page.js, embedded by the build.
+std::string_view page_markup();
+std::string_view page_style();
+std::string_view page_script();
+
 namespace {
 
 using draw::Drawing;

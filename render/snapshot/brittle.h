@@ -1,13 +1,19 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "snapshot/margins.h"
+#include "trace/decision.h"
 #include "trace/trace.h"
 #include "view/view.h"
 
 namespace contactscope::snapshot {
+
+/// Margins of the pipeline's decisions, by frame and pair ("crate-floor"). They are not stored:
+/// each run computes them, and changes are reported with the current ones.
+using Margins = std::map<std::pair<int, std::string>, std::vector<trace::Decision>>;
 
 /// Decisions of a frame that rounding could reverse: their margin is within the tolerance between
 /// equal traces. One sentence each: "frame 12, crate-floor: axis: face_a over edge_edge by 0.2 nm,

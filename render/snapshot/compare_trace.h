@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "snapshot/margins.h"
+#include "snapshot/brittle.h"
 #include "snapshot/stage.h"
 #include "trace/json.h"
 

@@ -5,9 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/input_error.h"
-#include "image/gzip.h"
-#include "image/sha256.h"
-#include "snapshot/folder_lock.h"
+#include "image/encoding.h"
 #include "snapshot/store.h"
 #include "trace/shape.h"
 

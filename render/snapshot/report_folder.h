@@ -5,7 +5,10 @@
 
 #include "image/image.h"
 #include "snapshot/check.h"
+#include "snapshot/finding.h"
 
+/// An Outcome as the file OUT/check/findings.json; see src/trace/README.md, "Findings". It has no
+/// times or other data that differ between runs on the same files.
 namespace contactscope::snapshot {
 
 /// Files of a check for people and programs, under OUT/check:
@@ -48,5 +51,13 @@ class ReportFolder {
 Outcome read_outcome(const std::filesystem::path& folder);
 /// Rewrites it after a review.
 void write_outcome(const std::filesystem::path& folder, const Outcome& outcome);
+
+inline constexpr const char* kFindingsSchema = "contactscope.check/1";
+
+/// The whole file, indented, with a final newline.
+std::string to_json(const Outcome& outcome);
+
+/// Throws core's InputError for invalid text; `name` is the file name.
+Outcome parse_outcome(const std::string& text, const std::string& name);
 
 }  // namespace contactscope::snapshot

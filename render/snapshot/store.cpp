@@ -10,7 +10,7 @@
 
 #include "core/input_file.h"
 #include "core/spell.h"
-#include "image/sha256.h"
+#include "image/encoding.h"
 #include "image/whole_file.h"
 #include "snapshot/meshes.h"
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -83,5 +86,23 @@ std::string to_json_lines(const trace::Trace& trace);
 /// Creates missing folders; the file is complete or absent. Throws
 /// std::filesystem::filesystem_error.
 void write_text(const std::filesystem::path& path, const std::string& text);
+
+/// Exclusive lock of a folder between processes; waits for the current holder. Does nothing if the
+/// folder cannot be opened.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder)
+      : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (file_ >= 0) ::flock(file_, LOCK_EX);
+  }
+  ~FolderLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
 
 }  // namespace contactscope::snapshot

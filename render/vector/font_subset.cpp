@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "image/base64.h"
+#include "image/encoding.h"
 #include "vector/shared_library.h"
 
 namespace contactscope::vector {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/plain_text.h"
+#include "core/spell.h"
 
 namespace contactscope::vector {
 

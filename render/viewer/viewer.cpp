@@ -9,8 +9,7 @@
 #include "draw/scene/palette.h"
 #include "draw/scene/theme.h"
 #include "find/finder.h"
-#include "image/base64.h"
-#include "image/deflate.h"
+#include "image/encoding.h"
 #include "vector/markup.h"
 
 namespace contactscope::viewer {

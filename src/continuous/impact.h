@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "continuous/sweep.h"
+#include "continuous/motion_bounds.h"
 #include "core/plane.h"
 #include "query/support_set.h"
 

@@ -30,7 +30,7 @@ std::unique_ptr<Watch> watch_overlaps(const trace::Header& header);
 std::unique_ptr<Watch> watch_internal_edges();
 /// ids.cpp: ids of points that change while nothing moves.
 std::unique_ptr<Watch> watch_ids();
-/// rotations.cpp: quaternions with w last that look like half turns.
+/// turned_shapes.cpp: quaternions with w last that look like half turns.
 std::unique_ptr<Watch> watch_rotations();
 /// motion.cpp: falling and resting bodies compared with gravity, weights and the up axis.
 std::unique_ptr<Watch> watch_motion(const trace::Header& header);
@@ -41,7 +41,7 @@ std::unique_ptr<Watch> watch_records();
 std::unique_ptr<Watch> watch_friction();
 /// velocities.cpp: compared with displacements.
 std::unique_ptr<Watch> watch_velocities();
-/// windings.cpp: meshes that are hit from behind.
+/// turned_shapes.cpp: meshes that are hit from behind.
 std::unique_ptr<Watch> watch_windings();
 
 /// "0.0213": metres as written in findings.

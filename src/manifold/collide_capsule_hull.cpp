@@ -4,7 +4,7 @@
 #include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
-#include "query/capsule_touch.h"
+#include "query/capsule_sat.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
@@ -241,7 +241,7 @@ void add_capsule_touch(const Capsule<S>& a, const Hull<S>& b, const Mat3<S>& rot
 }
 
 /// Steps: 1. separating axis test; done if farther than the radius. 2. The touching feature and
-/// point (capsule_touch.h). 3. One or two points of the segment, by the talk's clipping for faces.
+/// point (capsule_sat.h). 3. One or two points of the segment, by the talk's clipping for faces.
 /// 4. From the hull's frame to A's.
 template <class S>
 S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,

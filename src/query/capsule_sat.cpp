@@ -6,7 +6,6 @@
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "geometry/lanes.h"
-#include "query/capsule_touch.h"
 #include "query/closest_points.h"
 #include "query/fast/point_faces.h"
 #include "query/hull_feature.h"

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <type_traits>
 
-#include "reduce/all_finite.h"
 #include "reduce/steps.h"
 
 namespace contactscope {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/manifold.h"
+#include "core/pack.h"
 #include "core/static_vector.h"
 
 namespace contactscope {
@@ -63,5 +64,18 @@ KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Ve
 /// in games, one pair in fifty then reports a depth up to 9 % too small. The best area that
 /// includes the deepest point also costs less.
 inline constexpr const char* kDefaultReducer = "optimal_deepest";
+
+/// Whether all positions, separations and the normal are finite, without a branch for each.
+template <class S> bool all_finite(ContactPoints<S> points, const Vec3<S>& normal) {
+  // Zero times a finite number is zero; times any other it is NaN.
+  const S zero = S(0);
+  lanes::Pack<S> sum = {};
+  for (const ContactPoint<S>& point : points) {
+    for (int i = 0; i < 4; i += lanes::kWidth<S>) sum += zero * lanes::load(point, i);
+  }
+  S total = zero * normal.x() + zero * normal.y() + zero * normal.z();
+  for (int lane = 0; lane < lanes::kWidth<S>; ++lane) total += sum[lane];
+  return total == zero;
+}
 
 }  // namespace contactscope

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "broadphase/box_pair.h"
+#include "broadphase/broad_phase.h"
 #include "dynamics/solver.h"
 #include "manifold/dispatch.h"
 #include "manifold/incremental.h"

@@ -8,10 +8,10 @@
 #include <system_error>
 
 #include "core/input_file.h"
-#include "core/plain_text.h"
+#include "core/spell.h"
 #include "scenario/readers.h"
 #include "scenario/words_file.h"
-#include "view/shape_name.h"
+#include "view/words.h"
 
 namespace contactscope {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
-#include "core/plain_text.h"
 #include "core/spell.h"
 
 namespace contactscope::scenario_file {

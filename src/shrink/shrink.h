@@ -1,9 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
+#include "scenario/scenario.h"
 #include "shrink/judge.h"
 #include "shrink/pair_of_two.h"
+#include "trace/trace.h"
 
 namespace contactscope::shrink {
 
@@ -25,5 +28,11 @@ struct Shrunk {
 /// digits. Deterministic: no randomness. `progress` is called after each accepted step.
 Shrunk shrink(const PairOfTwo& start, Judge& judge,
               const std::function<void(const PairOfTwo&)>& progress = {});
+
+/// A single pair of a frame: its shapes in the poses of the frame. `scenario`: source of the pair's
+/// settings and expectations; null for a trace of another engine, whose claims are kept. Empty if
+/// it cannot be written as a scenario of two shapes: a distance field, an unknown shape.
+std::optional<PairOfTwo> pair_of_frame(const trace::Header& header, const trace::Frame& frame,
+                                       const trace::Pair& pair, const Scenario* scenario);
 
 }  // namespace contactscope::shrink

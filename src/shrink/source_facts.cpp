@@ -1,4 +1,4 @@
-#include "shrink/source_facts.h"
+#include "shrink/shrink.h"
 
 #include <algorithm>
 #include <cctype>

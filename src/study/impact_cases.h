@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "continuous/sweep.h"
+#include "continuous/motion_bounds.h"
 #include "geometry/hull.h"
 #include "study/study.h"
 

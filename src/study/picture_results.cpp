@@ -1,11 +1,11 @@
-#include "study/picture_results.h"
+#include "study/picture_row.h"
 
 #include <functional>
 #include <map>
 #include <stdexcept>
 
 #include "core/at.h"
-#include "study/solver_energy.h"
+#include "study/solver_stack.h"
 
 namespace contactscope::record {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "core/at.h"
 #include "core/spell.h"
-#include "study/picture_results.h"
+#include "study/picture_row.h"
 
 namespace contactscope {
 namespace {

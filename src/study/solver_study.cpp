@@ -6,7 +6,6 @@
 
 #include "core/workers.h"
 #include "study/random_cases.h"
-#include "study/solver_energy.h"
 #include "study/solver_stack.h"
 #include "study/study.h"
 
@@ -282,7 +281,7 @@ trace::Study energies(const StudyOptions& options, const StudyStep& step) {
 /// others' mass, at sixteen sweeps per frame for every method.
 ///
 /// "energy": largest energy gain of any frame of a scene, over sub-steps, mean and worst of the
-/// twenty scenes of solver_energy.h; also for Baumgarte with its whole push kept as velocity.
+/// twenty scenes of solver_stack.h; also for Baumgarte with its whole push kept as velocity.
 std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress) {
   constexpr int kSteps =
       static_cast<int>(std::size(kCurveStacks) * std::size(kCurvePanels) + std::size(kHeights)) *

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/newell_normal.h"
+#include "core/plane.h"
 
 namespace contactscope::trace {
 namespace {

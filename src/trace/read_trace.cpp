@@ -4,7 +4,7 @@
 
 #include "core/input_error.h"
 #include "core/nearest_word.h"
-#include "core/plain_text.h"
+#include "core/spell.h"
 #include "trace/json_node.h"
 #include "trace/reference.h"
 

@@ -6,7 +6,7 @@
 
 #include "trace/find.h"
 #include "trace/point_names.h"
-#include "versus/reference.h"
+#include "versus/request.h"
 
 namespace contactscope::versus {
 namespace {

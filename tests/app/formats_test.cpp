@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
+#include "image/encoding.h"
 #include "image/png.h"
-#include "image/sha256.h"
 #include "support/png_text.h"
 
 // `render --format`: the files that it writes, and their metadata.

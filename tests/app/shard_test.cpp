@@ -1,4 +1,4 @@
-#include "app/cli/shard.h"
+#include "app/cli/catalogue.h"
 
 #include <gmock/gmock.h>
 

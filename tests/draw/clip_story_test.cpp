@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/newell_normal.h"
+#include "core/plane.h"
 #include "draw/crate_on_slab.h"
 #include "draw/scene/palette.h"
 

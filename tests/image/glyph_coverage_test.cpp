@@ -1,4 +1,3 @@
-#include "image/glyph_coverage.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

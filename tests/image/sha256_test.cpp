@@ -1,4 +1,4 @@
-#include "image/sha256.h"
+#include "image/encoding.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "lint/linter.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
-#include "shrink/source_facts.h"
 #include "support/random_geometry.h"
 
 namespace contactscope::shrink {

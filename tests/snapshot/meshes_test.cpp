@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/input_error.h"
-#include "image/gzip.h"
+#include "image/encoding.h"
 #include "snapshot/accept.h"
 #include "snapshot/check.h"
 #include "snapshot/sample_trace.h"

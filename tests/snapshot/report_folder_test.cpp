@@ -6,7 +6,6 @@
 #include "image/png.h"
 #include "snapshot/accept.h"
 #include "snapshot/dot_picture.h"
-#include "snapshot/outcome_json.h"
 #include "snapshot/sample_trace.h"
 #include "support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "study/solver_energy.h"
+#include "study/solver_stack.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
-#include "view/shape_name.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

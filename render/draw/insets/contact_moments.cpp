@@ -7,7 +7,7 @@
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
-#include "view/shape_name.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

@@ -4,7 +4,7 @@
 #include "draw/scene/box_outline.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
-#include "view/shape_name.h"
+#include "view/words.h"
 
 /// The boxes that a broad phase used to find pairs.
 namespace contactscope::draw {

@@ -7,7 +7,7 @@
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
-#include "view/shape_name.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/newell_normal.h"
+#include "core/plane.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 

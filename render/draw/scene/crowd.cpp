@@ -8,7 +8,7 @@
 #include "draw/scene/solid.h"
 #include "draw/scene/visibility.h"
 #include "image/font.h"
-#include "view/shape_name.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

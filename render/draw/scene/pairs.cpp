@@ -8,7 +8,7 @@
 #include "core/convex_polygon.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
-#include "view/shape_name.h"
+#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

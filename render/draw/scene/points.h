@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/newell_normal.h"
+#include "core/plane.h"
 #include "core/vec3.h"
 
 /// Properties of point sets and polygons.

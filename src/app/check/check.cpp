@@ -3,7 +3,6 @@
 
 #include "app/check/check_run.h"
 #include "app/check/reports/report.h"
-#include "app/check/review.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "gl/context.h"

@@ -1,4 +1,9 @@
 #include "app/check/check_run.h"
+#include "app/cli/sequence.h"
+#include "draw/staging.h"
+#include "scenario/scenario.h"
+#include "view/title.h"
+#include "viewer/viewer.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -7,12 +12,12 @@
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "app/check/reports/report.h"
-#include "app/check/viewers.h"
+#include "app/cli/catalogue.h"
 #include "app/cli/faults.h"
 #include "app/cli/progress.h"
-#include "app/cli/shard.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
@@ -86,6 +91,45 @@ PixelLimits limits_of(const SnapshotSettings& settings, const std::string& view)
     take(own->second);
   return limits;
 }
+
+std::string viewer_of(const Scenario& scenario, const trace::Header& header,
+                      const std::vector<trace::Frame>& frames) {
+  draw::FigureStyle style;
+  style.words = words_of(scenario);
+  const draw::Staging staging = draw::stage(
+      header, frames, scenario.views.front(), scenario.snapshots.width, scenario.snapshots.height,
+      style, draw::kLayers, mapped(frames, &trace::Frame::frame));
+  PictureOrigin origin;
+  origin.scenario = scenario.name;
+  origin.title = plain_title(scenario.title);
+  viewer::Viewer page(staging, origin);
+  for (const trace::Frame& frame : frames) page.add(frame);
+  return page.html();
+}
+
+/// Pages in 3D of changed scenarios for the report of a check: of all frames of the run, and of the
+/// stored ones. Only for the first scenarios, because each page contains three.js.
+class Viewers {
+ public:
+  /// `candidate`: path of the run's trace in the report; empty if it has been accepted. Does nothing
+  /// then, and without three.js.
+  void add(const Scenario& scenario, const snapshot::StoredScenario& archive,
+           const Sequence& sequence, const std::string& candidate, snapshot::ReportFolder& report) {
+    constexpr int kMax = 20;
+    if (candidate.empty() || viewer::three_script().empty() || scenarios_++ >= kMax) return;
+    std::istringstream text(*snapshot::read_stored_trace(archive.root, archive.scenario));
+    const trace::Trace stored = trace::read_trace(text, "stored");
+    const auto add_page = [&](const trace::Header& header, const std::vector<trace::Frame>& frames,
+                              const char* which) {
+      report.add_file(viewer_path(candidate, which), viewer_of(scenario, header, frames));
+    };
+    add_page(sequence.header, sequence.frames, "actual");
+    add_page(stored.header, stored.frames, "expected");
+  }
+
+ private:
+  int scenarios_ = 0;
+};
 
 class Checker {
  public:

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "app/cli/catalogue.h"
+#include "app/cli/verbs.h"
 #include "draw/staging.h"
 #include "snapshot/finding.h"
 #include "trace/trace.h"
@@ -28,5 +31,24 @@ struct MovedLayers {
 /// Compares two versions of a frame, both drawn by this program with the same camera.
 MovedLayers moved_layers(const draw::Staging& staging, const trace::Frame& expected,
                          const trace::Frame& actual);
+
+/// Folder of a check's report.
+std::filesystem::path report_folder(const Options& options);
+
+/// Findings that match the patterns, each once. Throws UsageError if a pattern matches none.
+std::vector<snapshot::Finding*> findings_named(snapshot::Outcome& outcome,
+                                               const std::vector<std::string>& patterns);
+
+/// `check --accept PATTERN...`: stores candidates of the last report, without running anything.
+ExitCode run_accept(const Options& options);
+
+enum class TerminalPictures { None, HalfBlocks, Kitty };
+
+/// Capability of the terminal on standard output, by its environment; None without a terminal.
+TerminalPictures terminal_pictures();
+
+/// Prints a finding with its details, and its pictures or their paths.
+void show(const snapshot::Finding& finding, const std::string& folder, TerminalPictures how,
+          std::ostream& out);
 
 }  // namespace contactscope::app

@@ -1,4 +1,4 @@
-#include "app/check/review.h"
+#include "app/check/check_run.h"
 
 #include <poll.h>
 #include <termios.h>
@@ -14,12 +14,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/reports/report.h"
+#include "app/cli/catalogue.h"
 #include "app/cli/progress.h"
-#include "app/cli/shard.h"
 #include "core/input_error.h"
 #include "core/nearest_word.h"
 #include "snapshot/accept.h"
-#include "snapshot/outcome_json.h"
 #include "snapshot/report_folder.h"
 #include "snapshot/store.h"
 #include "snapshot/verdict.h"
@@ -70,7 +69,7 @@ class Keys {
       ready = poll(&terminal, 1, kMilliseconds);
     }
     char key = 'q';
-    return ready == 1 && read(STDIN_FILENO, &key, 1) == 1 ? key : 'q';
+    return ready == 1 && ::read(STDIN_FILENO, &key, 1) == 1 ? key : 'q';
   }
 
  private:

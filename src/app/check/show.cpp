@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/check/review.h"
+#include "app/check/check_run.h"
 #include "image/png.h"
 #include "image/terminal.h"
 #include "snapshot/report_folder.h"

@@ -9,6 +9,7 @@
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
 #include "scenario/scenario.h"
+#include "snapshot/finding.h"
 
 namespace contactscope::app {
 
@@ -61,5 +62,23 @@ std::vector<View> selected_views(const Scenario& scenario, const Options& option
 template <class List> std::string names_of(const List& list) {
   return separated(list, ", ", [](const auto& one) { return one.name; });
 }
+
+/// A scenario and the cost of its check, in any unit.
+struct Costed {
+  std::string name;
+  double cost = 1;
+};
+
+/// Names in one shard: the costliest first, each to the shard with the least cost so far.
+/// Deterministic on every machine for the same names and costs; each name is in exactly one shard.
+std::vector<std::string> names_in_shard(std::vector<Costed> scenarios,
+                                        const snapshot::Shard& shard);
+
+/// Keeps the inputs of a shard.
+void keep_shard(std::vector<Input>& inputs, const snapshot::Shard& shard,
+                const std::function<double(const Input&)>& cost);
+
+/// Name of the shard's report folder: "check_2_of_5", so that shards with one --out do not collide.
+std::string folder_of(const snapshot::Shard& shard);
 
 }  // namespace contactscope::app

@@ -1,7 +1,6 @@
 #include <array>
 #include <sstream>
 
-#include "app/cli/option_readers.h"
 #include "app/cli/options.h"
 #include "app/render/formats/format.h"
 #include "core/at.h"

@@ -1,12 +1,17 @@
 #include "app/cli/options.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
 #include "app/cli/catalogue.h"
-#include "app/cli/option_readers.h"
+#include "core/at.h"
+#include "core/nearest_word.h"
+#include "draw/scene/palette.h"
 
 namespace contactscope::app {
 namespace {
@@ -48,6 +53,153 @@ void finish(Options& options) {
   if (options.write_missing && options.update == snapshot::Update::None)
     options.update = snapshot::Update::Missing;
   check_word(options);
+}
+
+namespace {
+
+// Parses all of `text` as an integer; nullopt if it is not one.
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t at = text.find(separator);
+    parts.push_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+template <class Word, class Names>
+std::vector<Word> parse_words(const std::string& option, const std::string& text,
+                              const Names& names) {
+  if (text == "none") return {};
+  return mapped(split(text, ','), [&](std::string_view part) {
+    const std::string name(part);
+    if (name == "none") throw UsageError(option + " 'none' excludes all others; leave them out");
+    return static_cast<Word>(word_in(option, name, {names.begin(), names.end()}));
+  });
+}
+
+}  // namespace
+
+std::size_t word_in(const std::string& option, const std::string& text,
+                    const std::vector<std::string_view>& known) {
+  const auto found = std::ranges::find(known, text);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  throw UsageError(option + " '" + text + "' is not known; " + did_you_mean(text, known) +
+                   "there is " + quoted_list(known));
+}
+
+FrameRange parse_frames(const std::string& option, const std::string& text) {
+  const std::vector<std::string_view> parts = split(text, ':');
+  std::vector<int> numbers;
+  for (const std::string_view part : parts) {
+    const std::optional<int> number = whole_number(part);
+    if (!number || *number < 0) {
+      throw UsageError(option + " '" + text + "' is not a range; write A:B or A:B:STEP, as 0:23:4");
+    }
+    numbers.push_back(*number);
+  }
+  const FrameRange range{numbers[0], numbers.size() > 1 ? numbers[1] : numbers[0],
+                         numbers.size() > 2 ? numbers[2] : 1};
+  if (numbers.size() > 3 || range.step < 1 || range.last < range.first) {
+    throw UsageError(option + " '" + text +
+                     "' is not a range; write A:B or A:B:STEP with A <= B and STEP >= 1");
+  }
+  return range;
+}
+
+Size parse_size(const std::string& option, const std::string& text) {
+  constexpr int kMin = 64, kMax = 8192;  // supported by every OpenGL 3.3 driver
+  const auto side = [](std::string_view part) {
+    const int pixels = whole_number(part).value_or(0);
+    return pixels >= kMin && pixels <= kMax ? pixels : 0;
+  };
+  const std::vector<std::string_view> parts = split(text, 'x');
+  const Size size = parts.size() == 2 ? Size{side(parts[0]), side(parts[1])} : Size{0, 0};
+  if (size.width > 0 && size.height > 0) return size;
+  throw UsageError(option + " '" + text +
+                   "' is not a size; write WxH with both between 64 and 8192, as 1280x720");
+}
+
+double parse_orthographic(const std::string& option, const std::string& text) {
+  if (text == "fitted") return 0;
+  double height = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), height);
+  if (error == std::errc() && end == text.data() + text.size() && height > 0 && height < 1e9)
+    return height;
+  throw UsageError(option + "=" + text +
+                   " is not a height; write --orthographic, or metres as --orthographic=1.5");
+}
+
+gl::Backend parse_backend(const std::string& option, const std::string& text) {
+  return static_cast<gl::Backend>(word_in(option, text, {"auto", "egl", "osmesa"}));
+}
+
+snapshot::Update parse_update(const std::string& option, const std::string& text) {
+  if (text == "never") return snapshot::Update::None;
+  if (text == "failed") return snapshot::Update::Failed;
+  if (text == "all") return snapshot::Update::All;
+  throw UsageError(option + "=" + text + " is not known; write --update, --update=all or nothing");
+}
+
+snapshot::Shard parse_shard(const std::string& option, const std::string& text) {
+  constexpr int kMax = 100000;
+  int part = 0, of = 0, length = 0;
+  const bool is_read = std::sscanf(text.c_str(), "%6d/%6d%n", &part, &of, &length) == 2;
+  if (is_read && length == static_cast<int>(text.size()) && part >= 1 && part <= of && of <= kMax)
+    return {part, of};
+  throw UsageError(option + " '" + text + "' is not a part; write K/N with 1 <= K <= N, as 2/5");
+}
+
+std::vector<Layer> parse_layers(const std::string& option, const std::string& text) {
+  return parse_words<Layer>(option, text, kLayerNames);
+}
+
+std::vector<Panel> parse_panels(const std::string& option, const std::string& text) {
+  return parse_words<Panel>(option, text, kPanelNames);
+}
+
+FigureLength parse_length(const std::string& option, const std::string& text) {
+  struct Unit {
+    std::string_view name;
+    double points;  // 0: pixels
+  };
+  constexpr std::array<Unit, 5> kUnits{
+      {{"mm", 72 / 25.4}, {"cm", 720 / 25.4}, {"in", 72}, {"pt", 1}, {"px", 0}}};
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  for (const Unit& known : kUnits) {
+    if (error != std::errc() || unit != known.name || !(value > 0) || value > 1e5) continue;
+    return {known.points > 0 ? value * known.points : value, known.points == 0};
+  }
+  throw UsageError(option + " '" + text +
+                   "' is not a length; write a number and mm, cm, in, pt or px, as " +
+                   (option == "--font-size" ? "8pt" : "84mm"));
+}
+
+draw::Color parse_background(const std::string& option, const std::string& text) {
+  if (text == "transparent") return {1, 1, 1, 0};
+  if (text == "white") return draw::kWhite;
+  unsigned hex = 0;
+  const char* const begin = text.data() + 1;
+  const char* const end = text.data() + text.size();
+  if (text.size() == 7 && text[0] == '#' && std::from_chars(begin, end, hex, 16).ptr == end)
+    return draw::rgb(hex);
+  throw UsageError(option + " '" + text +
+                   "' is not a colour; write transparent, white or #RRGGBB, as '#14171a'");
+}
+
+draw::Theme parse_theme(const std::string& option, const std::string& text) {
+  return static_cast<draw::Theme>(
+      word_in(option, text, {draw::kThemeNames.begin(), draw::kThemeNames.end()}));
 }
 
 }  // namespace contactscope::app

@@ -10,7 +10,7 @@
 
 #include "core/input_error.h"
 #include "core/input_file.h"
-#include "core/plain_text.h"
+#include "core/spell.h"
 #include "snapshot/meshes.h"
 #include "snapshot/store.h"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "app/cli/option_readers.h"
+#include "app/cli/options.h"
 #include "core/nearest_word.h"
 
 namespace contactscope::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/table.h"
-#include "app/compare/page_cells.h"
+#include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
 #include "draw/charts/rollout_page.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/cli/table.h"
-#include "app/compare/page_cells.h"
+#include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
 #include "draw/charts/rollout_page.h"
@@ -53,15 +53,6 @@ std::vector<std::size_t> by_outcome(const Rollout& rollout) {
     return std::pair(!score.fell_at, score.fell_at ? *score.fell_at : score.worst_drift);
   });
   return engines;
-}
-
-/// True for a few bodies of different masses: the mass may be why a body falls.
-bool have_masses(const std::vector<versus::RolloutBody>& bodies) {
-  constexpr std::size_t kMaxBodies = 4;
-  return bodies.size() <= kMaxBodies &&
-         std::ranges::any_of(bodies, [&](const versus::RolloutBody& body) {
-           return body.mass != bodies.front().mass;
-         });
 }
 
 bool stands(const RolloutScore& score) {
@@ -177,20 +168,6 @@ std::vector<trace::Study> charts_of(const Rollout& rollout, const std::vector<Lo
   return {height, energy, overlap};
 }
 
-/// Adds the masses at the bodies' positions, for a picture with masses.
-void place_masses(const trace::Trace& request, trace::Frame& frame) {
-  if (frame.solver) return;
-  frame.solver.emplace();
-  for (const versus::RolloutBody& body : versus::rollout_bodies(request)) {
-    const Pose<double>* const pose = trace::find_pose(frame, body.name);
-    if (pose == nullptr) continue;
-    trace::Body& placed = frame.solver->bodies.emplace_back();
-    placed.name = body.name;
-    placed.mass = body.mass;
-    placed.center_of_mass = pose->transform(body.center);
-  }
-}
-
 /// The frame of an engine to draw; poses that it omits are those of the request.
 trace::Frame frame_of(const Rollout& rollout, std::size_t engine, int shown) {
   const std::vector<trace::Frame>& record = rollout.engine_runs[engine].trace.frames;
@@ -250,8 +227,6 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   view.layers = {Layer::Shapes};
   const std::vector<versus::RolloutBody> bodies = versus::rollout_bodies(rollout.request);
   view.focus_on = mapped(bodies, &versus::RolloutBody::name);  // the ground may be cut off
-  const bool with_masses = have_masses(bodies);
-  if (with_masses) view.layers.push_back(Layer::Masses);
   // One camera for all engines; ignores bodies that flew away.
   std::vector<trace::Frame> frames = {rollout.request.frames.front()};
   frames.front().pairs.clear();
@@ -265,12 +240,9 @@ Image rollout_picture(const Rollout& rollout, int shown, const std::optional<Siz
   const draw::Staging staging = stage_cell(
       header, frames, view,
       {cell.x, cell.y, std::floor(kNearer * cell.width), std::floor(kNearer * cell.height)});
-  for (std::size_t k = 0; k < drawn.size(); ++k) {
-    trace::Frame frame = frame_of(rollout, drawn[k], shown);
-    if (with_masses) place_masses(rollout.request, frame);
-    paste(renderer.paint(draw::illustrate(staging, frame)), staging.layout.view, page.cells[k],
-          picture);
-  }
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    paste(renderer.paint(draw::illustrate(staging, frame_of(rollout, drawn[k], shown))),
+          staging.layout.view, page.cells[k], picture);
   return picture;
 }
 

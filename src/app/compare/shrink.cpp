@@ -11,7 +11,6 @@
 #include "app/cli/verbs.h"
 #include "app/compare/engine_runs.h"
 #include "core/spell.h"
-#include "shrink/source_facts.h"
 #include "snapshot/store.h"
 #include "versus/request.h"
 

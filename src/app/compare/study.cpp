@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/cli/catalogue.h"
-#include "app/cli/option_readers.h"
+#include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/cli/verbs.h"

@@ -17,7 +17,6 @@
 #include "snapshot/store.h"
 #include "trace/find.h"
 #include "versus/comparison.h"
-#include "versus/reference.h"
 #include "versus/request.h"
 #include "view/title.h"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "app/cli/narrow.h"
-#include "image/sha256.h"
+#include "image/encoding.h"
 #include "view/title.h"
 
 namespace contactscope::app {

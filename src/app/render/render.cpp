@@ -7,7 +7,6 @@
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"
 #include "app/cli/progress.h"
-#include "app/cli/shard.h"
 #include "app/cli/verbs.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/formats/sinks.h"

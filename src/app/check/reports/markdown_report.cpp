@@ -1,7 +1,7 @@
 #include <sstream>
 
 #include "app/check/reports/report.h"
-#include "image/base64.h"
+#include "image/encoding.h"
 #include "image/png.h"
 #include "image/terminal.h"
 #include "snapshot/store.h"

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/reports/report.h"
-#include "image/base64.h"
+#include "image/encoding.h"
 #include "snapshot/store.h"
 #include "vector/markup.h"
 

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <iostream>
 
 #include "app/check/reports/report.h"
 #include "app/render/origin.h"
 #include "snapshot/accept.h"
+#include "snapshot/report_folder.h"
 
 namespace contactscope::app {
 
@@ -65,5 +67,10 @@ std::string remedy(const ReportInput& input, const snapshot::Cause& cause) {
   names.resize(std::min(names.size(), kMaxNames));
   return accept_command(input, names);
 }
+
+/// Prints findings.json to standard output.
+const Report kJsonReport{
+    [](const ReportInput& input) { return input.options.json; },
+    [](const ReportInput& input) { std::cout << snapshot::to_json(input.outcome); }};
 
 }  // namespace contactscope::app

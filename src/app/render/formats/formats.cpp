@@ -1,8 +1,20 @@
 #include <algorithm>
+#include <cmath>
+#include <iostream>
 
 #include "app/cli/verbs.h"
 #include "app/render/formats/format.h"
 #include "core/nearest_word.h"
+#include "image/apng.h"
+#include "image/png.h"
+#include "image/webp.h"
+#include "page/page.h"
+#include "snapshot/store.h"
+#include "vector/font_subset.h"
+#include "vector/markup.h"
+#include "vector/pdf.h"
+#include "vector/svg.h"
+#include "viewer/viewer.h"
 
 namespace contactscope::app {
 
@@ -23,5 +35,157 @@ std::vector<const Format*> formats_named(const std::vector<std::string>& names) 
     if (std::ranges::find(names, format.name) != names.end()) chosen.push_back(&format);
   return chosen;
 }
+
+const Format kPngFormat{
+    .name = "png",
+    .extension = ".png",
+    .what = "pixels, one file per frame",
+    .needs_pixels = true,
+    .encode =
+        [](const Shot& shot) {
+          return encode_png(*shot.image, kFastestDeflate, entries_of(shot.origin));
+        },
+};
+
+const Format kApngFormat{
+    .name = "apng",
+    .extension = ".apng",
+    .what = "an animated PNG, one file per sequence",
+    .needs_pixels = true,
+    .begin =
+        [](const ReelPlan& plan) {
+          return reel_of(plan, std::make_unique<EncodedAnimation<ApngEncoder, PngText>>(
+                                   plan, entries_of(plan.origin)));
+        },
+};
+
+const Format kSvgFormat{
+    .name = "svg",
+    .extension = ".svg",
+    .what = "vectors with live text, one file per frame",
+    .encode =
+        [](const Shot& shot) {
+          static vector::FontFaces faces;  // shared: pictures of a run use the same glyphs
+          const std::string svg =
+              vector::svg_of(*shot.drawing, {.origin = &shot.origin, .fonts = &faces});
+          return std::vector<std::uint8_t>(svg.begin(), svg.end());
+        },
+    .require = &vector::require_font_subsets,
+};
+
+const Format kPdfFormat{
+    .name = "pdf",
+    .extension = ".pdf",
+    .what = "a page of vectors, one file per frame",
+    .encode =
+        [](const Shot& shot) {
+          const std::string pdf = vector::pdf_of(*shot.drawing, {.origin = &shot.origin});
+          return std::vector<std::uint8_t>(pdf.begin(), pdf.end());
+        },
+    .require = &vector::require_pdf,
+};
+
+namespace {
+
+/// Origin metadata as XMP (ISO 16684-1), one line per entry in the description, which viewers show.
+std::string xmp_of(const PictureOrigin& origin) {
+  std::string all =
+      "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">"
+      "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">"
+      "<rdf:Description rdf:about=\"\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\">"
+      "<dc:description><rdf:Alt><rdf:li xml:lang=\"x-default\">";
+  for (const auto& [key, value] : entries_of(origin))
+    all += vector::escaped(key + ": " + value) + "\n";
+  return all + "</rdf:li></rdf:Alt></dc:description></rdf:Description></rdf:RDF></x:xmpmeta>";
+}
+
+}  // namespace
+
+const Format kWebpFormat{
+    .name = "webp",
+    .extension = ".webp",
+    .what = "lossless WebP, animated if there are several frames",
+    .needs_pixels = true,
+    .encode = [](const Shot& shot) { return encode_webp(*shot.image, xmp_of(shot.origin)); },
+    .begin =
+        [](const ReelPlan& plan) {
+          return reel_of(plan, std::make_unique<EncodedAnimation<WebpAnimation, std::string>>(
+                                   plan, xmp_of(plan.origin)));
+        },
+};
+
+namespace {
+
+class HtmlReel : public Reel {
+ public:
+  explicit HtmlReel(const ReelPlan& plan)
+      : path_(plan.path), frames_(plan.frames.size()), page_(*plan.staging, plan.origin) {}
+
+  void add(const Shot& shot, const trace::Frame& frame) override {
+    page_.add(frame, *shot.drawing);
+    const double megabytes = 1e-6 * double(page_.size()) / double(++added_) * double(frames_);
+    if (has_warned_ || added_ < std::min(frames_, kFramesOfEstimate) || megabytes < kLargePage)
+      return;
+    has_warned_ = true;
+    std::cerr << path_ << " will have about " << std::lround(megabytes)
+              << " MB; --format viewer writes a small page of the same frames that can be turned\n";
+  }
+  void finish() override { snapshot::write_text(path_, page_.html()); }
+
+ private:
+  static constexpr std::size_t kFramesOfEstimate = 4;
+  static constexpr double kLargePage = 30;  // MB
+
+  std::string path_;
+  std::size_t frames_, added_ = 0;
+  bool has_warned_ = false;
+  page::Page page_;
+};
+
+}  // namespace
+
+const Format kHtmlFormat{
+    .name = "html",
+    .extension = ".html",
+    .what = "a page with a slider and the trace's facts, one file per sequence",
+    .begin = [](const ReelPlan& plan) -> std::unique_ptr<Reel> {
+      return std::make_unique<HtmlReel>(plan);
+    },
+    .require = [] { vector::font_subset(FontWeight::Regular, {U'a'}); },
+};
+
+namespace {
+
+class ViewerReel : public Reel {
+ public:
+  explicit ViewerReel(const ReelPlan& plan)
+      : path_(plan.path), viewer_(*plan.staging, plan.origin, plan.sequence->ids_are_made) {}
+
+  void add(const Shot&, const trace::Frame& frame) override { viewer_.add(frame); }
+  void finish() override { snapshot::write_text(path_, viewer_.html()); }
+
+ private:
+  std::string path_;
+  viewer::Viewer viewer_;
+};
+
+}  // namespace
+
+const Format kViewerFormat{
+    .name = "viewer",
+    .extension = ".viewer.html",
+    .what = "a page in 3D with a timeline, facts and search, one file per sequence",
+    .needs_drawings = false,
+    .begin = [](const ReelPlan& plan) -> std::unique_ptr<Reel> {
+      return std::make_unique<ViewerReel>(plan);
+    },
+    .require =
+        [] {
+          if (viewer::three_script().empty())
+            throw UsageError(
+                "--format viewer: the program was built without three.js; install it "
+                "(apt-get install libjs-three) and build again");
+        },
+};
 
 }  // namespace contactscope::app
