@@ -8,7 +8,7 @@ async function start() {
   for (const finding of data.findings) [finding.index, ...finding.places] = [finding.frame, ...finding.frames || []].map(frame => data.frames.indexOf(frame));
   // Layers of stages are only there with the stages.
   const stage = { reference_face: 'clip', side_planes: 'clip', clip_polygons: 'clip', dropped: 'clip', incident_face: 'clip', candidates: 'reduction', reduced: 'reduction' };
-  data.layers = data.layers.filter(({ name }) => !stage[name] || data.stages.some(stages => stages[stage[name]]));
+  data.layers = data.layers.filter(({ name }) => !stage[name] || data.forms.some(form => form[stage[name]]));
   byId('source').textContent = [data.header.source, [data.header.engine, data.header.version].filter(Boolean).join(' '), data.command].filter(Boolean).join(' \u00b7 ');
 
   const usual = data.layers.filter(layer => layer.on).map(layer => layer.name).join(), { contacts, manifolds } = data, count = (n, word) => n + ' ' + word + (n === 1 ? '' : 's');
@@ -26,7 +26,7 @@ async function start() {
   renderer.setPixelRatio(devicePixelRatio);
   PIXELS.value = new THREE.Vector2(1, 1);
   const orbit = new Orbit(canvas, data.header.up === 'z', () => { dirty = true; link(); });
-  const bodies = new Bodies(scene), layers = new Layers(scene, bodies), facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go);
+  const bodies = new Bodies(scene), layers = new Layers(scene, bodies), facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go, css);
   const crowd = data.shapes.length > 12;  // bodies are opaque
 
   function paint() {
@@ -66,7 +66,7 @@ async function start() {
     bodies.draw(state.on.has('shapes'), crowd, new Set(chosen));
     labels = layers.draw(frame, state.on, selection, foundRecords);
     facts.show(selection, frame);
-    timeline.draw(frame, found, css);
+    timeline.draw(frame, found);
     document.title = byId('title').textContent = data.titles[frame] || data.title;
     byId('moment').textContent = 'frame ' + data.frames[frame] + ', ' + data.times[frame].toFixed(3) + ' s';
     byId('note').textContent = [layers.crowd ? 'larger dots: deeper overlap' : layers.factor > 1 && data.totals.overlap[frame] ? 'lines of overlap: \u00d7 ' + layers.factor : '',

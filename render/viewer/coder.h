@@ -1,0 +1,95 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/at.h"
+
+namespace contactscope::viewer {
+
+/// An integer that the next one is predicted to equal, and the number of bits of the last difference.
+struct Last {
+  std::int32_t value = 0;
+  int bits = 0;
+};
+
+/// An adaptive binary range coder of differences: their number of bits, by the field and the bits of
+/// the last difference, their two upper bits by the field, and the others as they are. data.js
+/// decodes it.
+class Coder {
+ public:
+  static constexpr int kContexts = 33, kSlots = 32;                // of one context
+  static constexpr int kFieldSlots = kContexts * kSlots + 4 * 33;  // then two bits for each length
+
+  explicit Coder(int fields) : chances_(static_cast<std::size_t>(fields * kFieldSlots)) {}
+
+  /// Codes the difference to `last`, which then has this value.
+  void put(int field, std::int32_t value, Last& last) {
+    // Wraps around on overflow, as in JavaScript.
+    const std::uint32_t difference =
+        static_cast<std::uint32_t>(value) - static_cast<std::uint32_t>(last.value);
+    const std::uint32_t zigzag =
+        (difference << 1) ^ (difference >> 31 != 0 ? ~std::uint32_t{0} : 0);
+    const int bits = std::bit_width(zigzag), slots = field * kFieldSlots;
+    const int context = slots + last.bits * kSlots;
+    put_bit(context, bits > 0);
+    for (int i = 4, node = 1; bits > 0 && i >= 0; --i)
+      node = 2 * node + put_bit(context + node, (bits - 1) >> i & 1);
+    int left = bits - 1;
+    for (int node = 1; left > 0 && node < 4; --left)
+      node = 2 * node + put_bit(slots + kContexts * kSlots + 4 * (bits - 1) + node,
+                                static_cast<int>(zigzag >> (left - 1) & 1));
+    while (left-- > 0) {
+      range_ >>= 1;
+      if ((zigzag >> left & 1) != 0) add(range_);
+      shift();
+    }
+    last = {value, bits};
+  }
+
+  std::string bytes() const {
+    std::string all = bytes_;
+    for (int i = 24; i >= 0; i -= 8) all += static_cast<char>(low_ >> i & 0xff);
+    return all;
+  }
+
+ private:
+  /// The chance of a zero, of 2^16, as a quick and as a slow mean.
+  struct Chance {
+    std::uint16_t quick = 1 << 15, slow = 1 << 15;
+  };
+
+  int put_bit(int slot, int bit) {
+    auto& [quick, slow] = at(chances_, slot);
+    const std::uint32_t bound = (range_ >> 16) * ((quick + slow) >> 1);
+    if (bit != 0) {
+      add(bound);
+      range_ -= bound;
+      quick = static_cast<std::uint16_t>(quick - (quick >> 4));
+      slow = static_cast<std::uint16_t>(slow - (slow >> 7));
+    } else {
+      range_ = bound;
+      quick = static_cast<std::uint16_t>(quick + ((65536 - quick) >> 4));
+      slow = static_cast<std::uint16_t>(slow + ((65536 - slow) >> 7));
+    }
+    shift();
+    return bit;
+  }
+  void add(std::uint32_t more) {
+    low_ += more;
+    if (low_ < more)  // a carry
+      for (std::size_t i = bytes_.size(); i > 0 && ++bytes_[--i] == 0;) {
+      }
+  }
+  void shift() {
+    for (; range_ < 1 << 24; range_ <<= 8, low_ <<= 8) bytes_ += static_cast<char>(low_ >> 24);
+  }
+
+  std::vector<Chance> chances_;
+  std::uint32_t low_ = 0, range_ = ~std::uint32_t{0};
+  std::string bytes_;
+};
+
+}  // namespace contactscope::viewer
