@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -41,9 +42,11 @@ class Coder {
     for (int node = 1; left > 0 && node < 4; --left)
       node = 2 * node + put_bit(slots + kContexts * kSlots + 4 * (bits - 1) + node,
                                 static_cast<int>(zigzag >> (left - 1) & 1));
-    while (left-- > 0) {
-      range_ >>= 1;
-      if ((zigzag >> left & 1) != 0) add(range_);
+    while (left > 0) {
+      const int some = std::min(left, 16);
+      left -= some;
+      range_ >>= some;
+      add(range_ * (zigzag >> left & ((1u << some) - 1)));
       shift();
     }
     last = {value, bits};

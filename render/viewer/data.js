@@ -26,9 +26,9 @@ async function inflate(element) {
 }
 
 /** The fields of facts.h, in their order. */
-const [POSES, POSE_BODY, POSE, PAIRS, PAIR, STATE, STAGES, SEPARATION, MANIFOLDS, MANIFOLD, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT] =
-  [0, 1, 2, 9, 10, 11, 12, 13, 14, 15, 22, 29, 30, 31, 32, 33, 36];
-const FIELDS = 39, CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in coder.h
+const [POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT] =
+  [0, 1, 2, 9, 10, 11, 12, 13, 14, 15, 18, 24, 25, 26, 27, 28, 31];
+const FIELDS = 34, CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in coder.h
 /** `size` last values, and then the bits of their last differences. */
 const lastOf = size => new Int32Array(2 * size);
 
@@ -64,12 +64,14 @@ function reader(bytes, at) {
     let left = node - 32;  // bits after the first one
     last[size + k] = left + 1;
     for (const upper = slots + CONTEXTS * SLOTS + 4 * left, last = Math.max(0, left - 2); left > last; --left) zigzag = 2 * zigzag + bit(upper + (zigzag & 3 | (zigzag < 2 ? 0 : 2)));
-    while (left-- > 0) {
-      part[RANGE] >>>= 1;
-      const one = part[CODE] >= part[RANGE];
-      if (one) part[CODE] -= part[RANGE];
-      zigzag = zigzag << 1 | (one ? 1 : 0);
-      if (part[RANGE] < 0x1000000) shift();
+    while (left > 0) {
+      const some = Math.min(left, 16);
+      part[RANGE] >>>= some;
+      const digits = part[CODE] / part[RANGE] | 0;
+      part[CODE] -= digits * part[RANGE];
+      zigzag = zigzag << some | digits;
+      left -= some;
+      shift();
     }
     return last[k] += (zigzag >>> 1) ^ -(zigzag & 1);
   };
@@ -104,8 +106,8 @@ function unpack(bytes) {
     normal: listOf(3 * counts.manifolds, Float32Array) };
   const points = data.points = { id: listOf(counts.points), position: listOf(3 * counts.points, Float64Array), separation: listOf(counts.points, Float64Array),
     impulse: listOf(counts.points, Float32Array), friction: listOf(counts.points, Float32Array) };
-  const values = data.values = listOf(counts.values), last = data.pairs.map((_, pair) => ({ follower: lastOf(1).fill(pair + 1, 0, 1), state: lastOf(1), stages: lastOf(1), manifolds: lastOf(1), gap: lastOf(1),
-    rows: [], points: [], leaves: new Map(), frame: -2, record: -1, touched: -1, since: 0, away: NaN }));
+  const values = data.values = listOf(counts.values), last = data.pairs.map((_, pair) => ({ follower: lastOf(1).fill(pair + 1, 0, 1), steady: lastOf(1), gap: lastOf(1),
+    layout: [], normals: [], points: [], leaves: new Map(), frame: -2, record: -1, touched: -1, since: 0, away: NaN }));
   const kinds = data.forms.map(form => leavesOf(form));
   let pose = 0, record = 0, manifold = 0, point = 0, value = 0, previous = 0;
   for (let frame = 0; frame < frames; ++frame) {
@@ -116,9 +118,13 @@ function unpack(bytes) {
     }
     for (let left = next(PAIRS, single[PAIRS][0]); left > 0; --left, ++record) {
       previous = contacts.pair[record] = read(PAIR, last[previous].follower);
-      const known = last[previous], seen = { [INTEGER]: [], [TEXT]: [], [SCALAR]: [], [PLACE]: [], [UNIT]: [] };
-      contacts.state[record] = read(STATE, known.state);
-      const form = read(STAGES, known.stages), count = read(MANIFOLDS, known.manifolds);
+      const known = last[previous];
+      if (!read(STEADY, known.steady)) {
+        known.layout.length = next(LAYOUT_SIZE, known.layout.length);
+        for (let i = 0; i < known.layout.length; ++i) known.layout[i] = next(LAYOUT, known.layout[i] || 0);
+      }
+      const state = known.layout[0], form = known.layout[1], count = known.layout[2], seen = form ? { [INTEGER]: [], [TEXT]: [], [SCALAR]: [], [PLACE]: [], [UNIT]: [] } : null;
+      contacts.state[record] = state;
       if (known.frame === frame - 1) contacts.before[record] = known.record;
       Object.assign(known, { frame, record });
       const touches = count > 0, away = known.touched < 0 ? NaN : frame - known.touched;
@@ -126,21 +132,22 @@ function unpack(bytes) {
       if (touches) known.touched = frame;
       contacts.age[record] = touches ? frame - known.since : NaN;
       contacts.away[record] = touches ? known.away : away;
-      let place = 0, deepest = 2147483647;
+      let place = 0, deepest = 2147483647, at = 3;  // of the layout
       for (let m = 0; m < count; ++m, ++manifold) {
-        const row = known.rows[m] ??= m ? known.rows[m - 1].slice() : lastOf(7);
-        for (let k = 0; k < 7; ++k) read(MANIFOLD + k, row, k);
-        for (let k = 0; k < 3; ++k) manifolds.normal[3 * manifold + k] = row[k] * data.unit;
-        [manifolds.axis[manifold], manifolds.type[manifold], manifolds.triangle[manifold]] = row.subarray(3);
-        if (form) seen[UNIT].push(row.slice(0, 3));
-        for (let i = 0; i < row[6]; ++i, ++place, ++point) {
-          const now = known.points[place] ??= place ? known.points[place - 1].slice() : lastOf(7);
-          for (let k = 0; k < 7; ++k) read(POINT + k, now, k);
+        const normal = known.normals[m] ??= m ? known.normals[m - 1].slice() : lastOf(3);
+        for (let k = 0; k < 3; ++k) manifolds.normal[3 * manifold + k] = read(NORMAL + k, normal, k) * data.unit;
+        manifolds.axis[manifold] = known.layout[at++];
+        manifolds.type[manifold] = known.layout[at++];
+        manifolds.triangle[manifold] = known.layout[at++];
+        if (form) seen[UNIT].push(normal.slice(0, 3));
+        for (let left = known.layout[at++]; left > 0; --left, ++place, ++point) {
+          const now = known.points[place] ??= place ? known.points[place - 1].slice() : lastOf(6);
+          for (let k = 0; k < 6; ++k) read(POINT + k, now, k);
           for (let k = 0; k < 3; ++k) points.position[3 * point + k] = now[k] * data.place;
           points.separation[point] = fineOf(now[3]) * data.fine;
           points.impulse[point] = impulseOf(now[4]);
           points.friction[point] = impulseOf(now[5]);
-          points.id[point] = now[6];
+          points.id[point] = known.layout[at++];
           deepest = Math.min(deepest, now[3]);
           if (form) seen[PLACE].push(now.slice(0, 3));
           if (form) seen[SCALAR].push(now.slice(3, 4));

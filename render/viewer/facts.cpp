@@ -172,31 +172,38 @@ void PackedFacts::add_pair(const trace::Pair& pair, ordered_json stages) {
     take_leaves(stages, "", leaves);
     form = 1 + number_of("forms", stages.dump());
   }
-  coder_.put(kPairState, pair.state == "touching", known.state);
-  coder_.put(kPairStages, form, known.stages);
-  coder_.put(kManifolds, count_of(pair.manifolds), known.manifolds);
+  std::vector<std::int32_t> layout{pair.state == "touching", form, count_of(pair.manifolds)};
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    layout.insert(layout.end(),
+                  {number_of("texts", manifold.axis), number_of("texts", manifold.type),
+                   manifold.triangle.value_or(-1), count_of(manifold.points)});
+    for (const trace::Point& point : manifold.points)
+      layout.push_back(number_of("texts", point.id));
+  }
+  const bool is_steady = layout == known.layout;
+  coder_.put(kSteady, is_steady, known.steady);
+  if (!is_steady) put(kLayoutSize, count_of(layout), count_of(known.layout));
+  known.layout.resize(layout.size());
+  for (int i = 0; !is_steady && i < count_of(layout); ++i)
+    put(kLayout, at(layout, i), at(known.layout, i));
+  known.layout = std::move(layout);
   std::map<int, std::vector<Value>> seen;
   int place = 0, row = 0;
   std::int32_t deepest = std::numeric_limits<std::int32_t>::max();
   for (const trace::Manifold& manifold : pair.manifolds) {
     const Value normal = places(manifold.normal, kCoarser / kUnits);
     seen[kUnit].push_back(normal);
-    put_row<7>(kManifold,
-               {normal[0], normal[1], normal[2], number_of("texts", manifold.axis),
-                number_of("texts", manifold.type), manifold.triangle.value_or(-1),
-                count_of(manifold.points)},
-               known.manifold_rows, row++);
+    put_row(kNormal, normal, known.normals, row++);
     for (const trace::Point& point : manifold.points) {
       const Value at = places(point.position, kCoarser * quantum_);
       const std::int32_t separation = fine_steps(point.separation, fine_);
       seen[kPlace].push_back(at);
       seen[kScalar].push_back({separation});
       deepest = std::min(deepest, separation);
-      put_row<7>(
+      put_row<6>(
           kPoint,
           {at[0], at[1], at[2], separation, point.impulse ? float_steps(point.impulse->normal) : 0,
-           point.impulse ? float_steps(point.impulse->friction.norm()) : 0,
-           number_of("texts", point.id)},
+           point.impulse ? float_steps(point.impulse->friction.norm()) : 0},
           known.points, place++);
     }
   }

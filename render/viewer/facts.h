@@ -19,15 +19,16 @@ enum Field {
   kPoseBody,  // predicted: the next body
   kPose,      // position, rotation w, x, y, z
   kPairs = kPose + 7,
-  kPair,            // predicted: the one that followed the last time
-  kPairState,       // 1: touching
-  kPairStages,      // 1 + index of the form of its stages; 0: none
+  kPair,    // predicted: the one that followed the last time
+  kSteady,  // 1: the pair's layout is the last one
+  kLayoutSize,
+  kLayout,          // 1: touching; 1 + index of the form of its stages, 0: none; manifolds; and of
+                    // each: axis, type, triangle, number of points, ids
   kPairSeparation,  // predicted: that of its deepest point, if it has one
-  kManifolds,
-  kManifold,               // normal, axis, type, triangle, number of points
-  kPoint = kManifold + 7,  // position, separation, impulse + 1, friction impulse + 1, id
-  kSame = kPoint + 7,      // of a value in the stages: 1 + index of an equal one; 0: none
-  kInteger,                // the kinds of values in stages
+  kNormal,
+  kPoint = kNormal + 3,  // position, separation, impulse + 1, friction impulse + 1
+  kSame = kPoint + 6,    // of a value in the stages: 1 + index of an equal one; 0: none
+  kInteger,              // the kinds of values in stages
   kText,
   kScalar,
   kPlace,
@@ -56,8 +57,10 @@ class PackedFacts {
   };
   /// The last values of a pair.
   struct Known {
-    Last follower, state, stages, manifolds, gap;
-    std::vector<Row<7>> manifold_rows, points;
+    Last follower, steady, gap;
+    std::vector<std::int32_t> layout;
+    std::vector<Row<3>> normals;
+    std::vector<Row<6>> points;
     std::map<int, std::vector<Row<4>>> leaves;  // of each form
   };
 

@@ -26,8 +26,7 @@ async function start() {
   renderer.setPixelRatio(devicePixelRatio);
   PIXELS.value = new THREE.Vector2(1, 1);
   const orbit = new Orbit(canvas, data.header.up === 'z', () => { dirty = true; link(); });
-  const bodies = new Bodies(scene), layers = new Layers(scene, bodies), facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go, css);
-  const crowd = data.shapes.length > 12;  // bodies are opaque
+  const bodies = new Bodies(scene, data.shapes.length > 12), layers = new Layers(scene, bodies), facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go, css);
 
   function paint() {
     document.documentElement.dataset.theme = theme();
@@ -52,7 +51,7 @@ async function start() {
     if (data.camera) {
       const { eye, forward, height, perspective } = data.camera, depth = orbit.target.clone().sub(point3(eye)).dot(point3(forward));
       orbit.lookFrom(forward.map(x => -x));
-      if (!crowd && depth > 0) {  // as in the picture
+      if (!bodies.opaque && depth > 0) {  // as in the picture
         orbit.target.copy(point3(eye)).addScaledVector(point3(forward), depth);
         orbit.distance = 1.15 * height * (perspective ? depth : 1) / (2 * Math.tan(FIELD / 2));
       }
@@ -63,7 +62,7 @@ async function start() {
   function refresh() {
     const { frame, selection } = state, chosen = !selection ? [] : selection.pair === undefined ? [selection.body] : data.pairs[selection.pair].slice(0, 2);
     bodies.place(frame);
-    bodies.draw(state.on.has('shapes'), crowd, new Set(chosen));
+    bodies.draw(state.on.has('shapes'), new Set(chosen));
     labels = layers.draw(frame, state.on, selection, foundRecords);
     facts.show(selection, frame);
     timeline.draw(frame, found);
@@ -108,6 +107,7 @@ async function start() {
     if (canvas.width !== Math.floor(wide * devicePixelRatio) || canvas.height !== Math.floor(high * devicePixelRatio)) renderer.setSize(wide, high, false);
     PIXELS.value.set(wide, high);
     orbit.place(wide, high, bodies.reach);
+    bodies.sort(orbit.camera.position);
     renderer.setClearColor(new THREE.Color(css('ground')));
     renderer.render(scene, orbit.camera);
     showLabels();
