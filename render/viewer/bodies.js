@@ -4,20 +4,29 @@ const WALL = 2.5;  // sizes of a typical body: what is larger may be a wall
 const CREASE = Math.cos(25 * Math.PI / 180);  // flatter edges are not drawn
 const SURFACE = [`
   attribute vec4 tint; varying vec4 vTint; varying vec3 vNormal, vSeen;
+  #ifdef WALL
+  uniform vec3 subject; uniform float wall; varying vec2 vCut;
+  #endif
   void main() {
     vec4 seen = viewMatrix * instanceMatrix * vec4(position, 1.);
     vNormal = (viewMatrix * instanceMatrix * vec4(normal, 0.)).xyz; vSeen = seen.xyz; vTint = tint;
+    #ifdef WALL
+    vec3 middle = (viewMatrix * vec4(subject, 1.)).xyz;
+    vCut = vec2(dot(normalize(vNormal), middle - vSeen) + wall, dot(middle, middle));
+    #endif
     gl_Position = projectionMatrix * seen;
   }`, `
-  uniform vec3 tones, edge, subject; uniform vec2 borders; uniform float alpha, wall;
+  uniform vec3 tones, edge; uniform vec2 borders; uniform float alpha;
   varying vec4 vTint; varying vec3 vNormal, vSeen;
+  #ifdef WALL
+  varying vec2 vCut;
+  #endif
   void main() {
-    vec3 n = normalize(vNormal) * (gl_FrontFacing ? 1. : -1.);
     #ifdef WALL
     // A wall in front of the contacts is cut away: they are behind its face, and farther from the eye.
-    vec3 middle = (viewMatrix * vec4(subject, 1.)).xyz;
-    if (dot(n, middle - vSeen) < -wall && length(vSeen) < length(middle)) discard;
+    if (vCut.x < 0. && dot(vSeen, vSeen) < vCut.y) discard;
     #endif
+    vec3 n = normalize(vNormal) * (gl_FrontFacing ? 1. : -1.);
     float lit = dot(n, normalize(vec3(-.5, .75, .62)));
     gl_FragColor = vec4(vTint.rgb * (lit > borders.x ? tones.x : lit > borders.y ? tones.y : tones.z), alpha);
     #ifdef ROUND

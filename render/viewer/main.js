@@ -197,8 +197,10 @@ async function start() {
   }
   byId('search').addEventListener('submit', event => {
     event.preventDefault();
-    search(byId('expression').value);
-    if (found.length) go(found.find(frame => frame > state.frame) ?? found[0]);
+    // Like in an editor: a new search stays where it is if that is found, and the same one again goes on.
+    const text = byId('expression').value, isNew = text !== state.find;
+    search(text);
+    if (found.length) go(found.find(frame => frame > state.frame || isNew && frame === state.frame) ?? found[0]);
   });
   byId('expression').title = 'Words: ' + Object.keys(data.quantities).join(', ') + '; previous.points, of the frame before';
   byId('findings').hidden = !data.findings.length;
