@@ -1,23 +1,32 @@
 // The bodies: one instanced mesh for all of one form, and the lines of their edges.
 
 const WALL = 2.5;  // sizes of a typical body: what is larger may be a wall
+const SMALL = 0.1;  // sizes per distance: half a pixel is less than what coarser surfaces change
 const CREASE = Math.cos(25 * Math.PI / 180);  // flatter edges are not drawn
-const SURFACE = [`
-  attribute vec4 tint; varying vec4 vTint; varying vec3 vNormal, vSeen;
+const TONE = `
+  uniform vec3 tones; uniform vec2 borders; varying vec4 vTint; varying vec3 vNormal, vSeen;
+  float toneOf(vec3 n) {
+    float lit = dot(n, normalize(vec3(-.5, .75, .62)));
+    return lit > borders.x ? tones.x : lit > borders.y ? tones.y : tones.z;
+  }`;
+const SURFACE = [TONE + `
+  attribute vec4 tint;
   #ifdef WALL
   uniform vec3 subject; uniform float wall; varying vec2 vCut;
   #endif
   void main() {
     vec4 seen = viewMatrix * instanceMatrix * vec4(position, 1.);
     vNormal = (viewMatrix * instanceMatrix * vec4(normal, 0.)).xyz; vSeen = seen.xyz; vTint = tint;
+    #ifdef FLAT
+    vTint.rgb *= toneOf(normalize(vNormal));
+    #endif
     #ifdef WALL
     vec3 middle = (viewMatrix * vec4(subject, 1.)).xyz;
     vCut = vec2(dot(normalize(vNormal), middle - vSeen) + wall, dot(middle, middle));
     #endif
     gl_Position = projectionMatrix * seen;
-  }`, `
-  uniform vec3 tones, edge; uniform vec2 borders; uniform float alpha;
-  varying vec4 vTint; varying vec3 vNormal, vSeen;
+  }`, TONE + `
+  uniform vec3 edge; uniform float alpha;
   #ifdef WALL
   varying vec2 vCut;
   #endif
@@ -26,9 +35,12 @@ const SURFACE = [`
     // A wall in front of the contacts is cut away: they are behind its face, and farther from the eye.
     if (vCut.x < 0. && dot(vSeen, vSeen) < vCut.y) discard;
     #endif
+    #ifdef FLAT
+    gl_FragColor = vec4(vTint.rgb, alpha);
+    #else
     vec3 n = normalize(vNormal) * (gl_FrontFacing ? 1. : -1.);
-    float lit = dot(n, normalize(vec3(-.5, .75, .62)));
-    gl_FragColor = vec4(vTint.rgb * (lit > borders.x ? tones.x : lit > borders.y ? tones.y : tones.z), alpha);
+    gl_FragColor = vec4(vTint.rgb * toneOf(n), alpha);
+    #endif
     #ifdef ROUND
     float facing = abs(dot(n, normalize(vSeen)));
     float outline = 1. - smoothstep(1., 1.6, facing / (fwidth(facing) * (vTint.a > 1.5 ? 3. : 1.6) + 1e-5));
@@ -42,22 +54,22 @@ const laid = (geometry, axis, direction, middle) => {
   return geometry.applyMatrix(new THREE.Matrix4().compose(middle, turn, new THREE.Vector3(1, 1, 1)));
 };
 
-/** The surface of a shape in its frame. `reach`: half of the width at which planes are drawn. */
-function surfaceOf(shape, reach) {
+/** The surface of a shape in its frame. `reach`: half of the width at which planes are drawn. `detail`: 1; less for what is small on screen. */
+function surfaceOf(shape, reach, detail = 1) {
   const ends = (shape.vertices || []).map(point3), radius = shape.radius || 0;
   if (shape.half_space) {
     const normal = point3(shape.half_space.normal), plane = new THREE.PlaneBufferGeometry(2 * reach, 2 * reach);
     return { open: true, geometry: laid(plane, new THREE.Vector3(0, 0, 1), normal, normal.clone().multiplyScalar(shape.half_space.offset)) };
   }
   if (!(radius > 0) || ends.length > 2) return { geometry: polyhedron(shape.vertices || [], shape.faces || []), open: shape.type === 'mesh' };
-  if (ends.length === 1) return { round: true, geometry: new THREE.SphereBufferGeometry(radius, 32, 20).translate(...shape.vertices[0]) };
-  const half = ends[0].distanceTo(ends[1]) / 2, profile = [];
-  for (let i = 0; i < 22; ++i) {
-    const angle = Math.PI * ((i < 11 ? i : i - 1) / 20 - 0.5);
-    profile.push(new THREE.Vector2(Math.max(1e-6, Math.cos(angle) * radius), Math.sin(angle) * radius + (i < 11 ? -half : half)));
+  if (ends.length === 1) return { round: true, geometry: new THREE.SphereBufferGeometry(radius, 32 * detail, 20 * detail).translate(...shape.vertices[0]) };
+  const half = ends[0].distanceTo(ends[1]) / 2, profile = [], arc = Math.round(10 * detail);
+  for (let i = 0; i < 2 * arc + 2; ++i) {
+    const angle = Math.PI * ((i <= arc ? i : i - 1) / (2 * arc) - 0.5);
+    profile.push(new THREE.Vector2(Math.max(1e-6, Math.cos(angle) * radius), Math.sin(angle) * radius + (i <= arc ? -half : half)));
   }
   const along = ends[1].clone().sub(ends[0]);
-  return { round: true, geometry: laid(new THREE.LatheBufferGeometry(profile, 28), new THREE.Vector3(0, 1, 0), along, ends[0].addScaledVector(along, 0.5)) };
+  return { round: true, geometry: laid(new THREE.LatheBufferGeometry(profile, 28 * detail), new THREE.Vector3(0, 1, 0), along, ends[0].addScaledVector(along, 0.5)) };
 }
 function polyhedron(vertices, faces) {
   const geometry = new THREE.BufferGeometry();
@@ -116,12 +128,14 @@ class Bodies {
       const isWall = opaque && data.shapes[members[0]].type !== 'mesh' && this.sizes[members[0]] > WALL * this.size;
       const material = this.materials[[open, round, isWall]] ??= new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1],
         transparent: !opaque, depthWrite: opaque, side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
-        defines: { ...round && { ROUND: 1 }, ...isWall && { WALL: 1 } },
+        defines: { ...round && { ROUND: 1 }, ...!round && !open && { FLAT: 1 }, ...isWall && { WALL: 1 } },
         uniforms: { tones: { value: point3(data.tones) }, borders: { value: new THREE.Vector2(...data.tone_borders) },
           edge: { value: new THREE.Vector3() }, alpha: { value: opaque ? 1 : 0.62 }, subject: this.subject, wall: { value: isWall ? 0.2 * this.size : 0 } } });
       const mesh = Object.assign(new THREE.InstancedMesh(geometry, material, members.length), { frustumCulled: false });
       scene.add(mesh);
-      return { members, mesh, tints };
+      const coarse = round ? surfaceOf(data.shapes[members[0]], this.reach, 0.75).geometry : geometry;
+      coarse.setAttribute('tint', tints);
+      return { members, mesh, tints, geometry, coarse };
     });
     scene.add(this.lines.object);
   }
@@ -166,9 +180,10 @@ class Bodies {
   /** Draws the bodies nearest to the eye first, so that they hide others before their colours are computed. */
   sort(eye) {
     const at = new THREE.Vector3();
-    for (const { members, mesh } of this.opaque ? this.forms : []) {
+    for (const { members, mesh, geometry, coarse } of this.opaque ? this.forms : []) {
       const far = at.setFromMatrixPosition(this.matrices[members[0]]).distanceTo(eye);
       mesh.renderOrder = far / (1 + far);
+      mesh.geometry = members.length === 1 && this.sizes[members[0]] < SMALL * far ? coarse : geometry;
     }
   }
 

@@ -20,6 +20,14 @@ constexpr double kUnits = 16384;  // steps of a component of a quaternion
 constexpr double kCoarser = 4;    // quanta of a point's position, and the same for normals
 constexpr double kFiner = 256;    // steps of a separation in one of a position
 
+// Keys of vectors that are no positions: unit ones, and those in newton seconds, metres per second or
+// radians.
+constexpr std::array kUnitVectors = {"normal", "direction", "axis"};
+constexpr std::array kRates = {"friction", "before", "after", "turn"};
+constexpr auto is_one_of = [](const std::string& key, const auto& keys) {
+  return std::ranges::find(keys, key) != keys.end();
+};
+
 /// Diameter of the smallest shape, metres; 1 if no shape is finite.
 double smallest_of(const trace::Header& header) {
   double smallest = std::numeric_limits<double>::max();
@@ -132,8 +140,8 @@ void PackedFacts::take_leaves(ordered_json& node, const std::string& key,
   const auto is_number = [](const ordered_json& one) { return one.is_number(); };
   const auto is_float = [](const ordered_json& one) { return one.is_number_float(); };
   if (node.is_array() && node.size() == 3 && std::ranges::all_of(node, is_number) &&
-      std::ranges::any_of(node, is_float) && key != "friction") {
-    const bool is_unit = key == "normal" || key == "direction" || key == "axis";
+      std::ranges::any_of(node, is_float) && !is_one_of(key, kRates)) {
+    const bool is_unit = is_one_of(key, kUnitVectors);
     const Vec3d v(node[0].get<double>(), node[1].get<double>(), node[2].get<double>());
     leaves.push_back(
         {is_unit ? kUnit : kPlace, places(v, kCoarser * (is_unit ? 1 / kUnits : quantum_))});
@@ -141,7 +149,7 @@ void PackedFacts::take_leaves(ordered_json& node, const std::string& key,
     for (const auto& [name, inner] : node.items()) take_leaves(inner, name, leaves);
     return;
   } else if (node.is_array()) {
-    for (ordered_json& inner : node) take_leaves(inner, key, leaves);
+    for (ordered_json& inner : node) take_leaves(inner, "", leaves);
     return;
   } else if (node.is_string()) {
     leaves.push_back({kText, {number_of("texts", node)}});

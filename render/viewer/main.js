@@ -278,7 +278,7 @@ async function start() {
 
   read();
   requestAnimationFrame(draw);
-  window.contactscope = { data, state, orbit, layers, bodies, quantities: Object.keys(QUANTITIES), hash, onScreen, select, search, go, draw: () => { dirty = true; } };  // for tests and the console
+  window.contactscope = { data, state, orbit, layers, bodies, quantities: Object.keys(QUANTITIES), hash, onScreen, select, search, go, stagesOf, draw: () => { dirty = true; } };  // for tests and the console
   document.documentElement.dataset.ready = 'yes';
 }
 
