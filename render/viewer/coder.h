@@ -24,7 +24,7 @@ class Coder {
   static constexpr int kContexts = 33, kSlots = 32;                // of one context
   static constexpr int kFieldSlots = kContexts * kSlots + 4 * 33;  // then two bits for each length
 
-  explicit Coder(int fields) : chances_(static_cast<std::size_t>(fields * kFieldSlots)) {}
+  explicit Coder(int fields) : chances_(static_cast<std::size_t>(fields * kFieldSlots), 1 << 15) {}
 
   /// Codes the difference to `last`, which then has this value.
   void put(int field, std::int32_t value, Last& last) {
@@ -59,38 +59,25 @@ class Coder {
   }
 
  private:
-  /// The chance of a zero, of 2^16, as a quick and as a slow mean.
-  struct Chance {
-    std::uint16_t quick = 1 << 15, slow = 1 << 15;
-  };
-
   int put_bit(int slot, int bit) {
-    auto& [quick, slow] = at(chances_, slot);
-    const std::uint32_t bound = (range_ >> 16) * ((quick + slow) >> 1);
-    if (bit != 0) {
-      add(bound);
-      range_ -= bound;
-      quick = static_cast<std::uint16_t>(quick - (quick >> 4));
-      slow = static_cast<std::uint16_t>(slow - (slow >> 7));
-    } else {
-      range_ = bound;
-      quick = static_cast<std::uint16_t>(quick + ((65536 - quick) >> 4));
-      slow = static_cast<std::uint16_t>(slow + ((65536 - slow) >> 7));
-    }
+    std::uint16_t& zero = at(chances_, slot);
+    const std::uint32_t bound = (range_ >> 16) * zero;
+    if (bit != 0) add(bound);
+    range_ = bit != 0 ? range_ - bound : bound;
+    zero = static_cast<std::uint16_t>(zero + (bit != 0 ? -(zero >> 5) : (65536 - zero) >> 5));
     shift();
     return bit;
   }
   void add(std::uint32_t more) {
     low_ += more;
-    if (low_ < more)  // a carry
-      for (std::size_t i = bytes_.size(); i > 0 && ++bytes_[--i] == 0;) {
-      }
+    bool carries = low_ < more;
+    for (std::size_t i = bytes_.size(); carries && i > 0;) carries = ++bytes_[--i] == 0;
   }
   void shift() {
     for (; range_ < 1 << 24; range_ <<= 8, low_ <<= 8) bytes_ += static_cast<char>(low_ >> 24);
   }
 
-  std::vector<Chance> chances_;
+  std::vector<std::uint16_t> chances_;  // of a zero, times 2^16
   std::uint32_t low_ = 0, range_ = ~std::uint32_t{0};
   std::string bytes_;
 };

@@ -34,24 +34,17 @@ const lastOf = size => new Int32Array(2 * size);
 
 /** The coder of coder.h, backwards: read(field, last, k) is the next integer, which is also written to last[k]. */
 function reader(bytes, at) {
-  const quick = new Uint16Array(FIELDS * FIELD_SLOTS).fill(32768), slow = quick.slice();
+  const zeros = new Uint16Array(FIELDS * FIELD_SLOTS).fill(32768);
   const part = new Uint32Array([0xffffffff, 0]), RANGE = 0, CODE = 1;  // of [0, 1), times 2^32
   for (let i = 0; i < 4; ++i) part[CODE] = part[CODE] << 8 | bytes[at++];
   const shift = () => {
     for (; part[RANGE] < 0x1000000; part[RANGE] <<= 8) part[CODE] = part[CODE] << 8 | bytes[at++];
   };
   const bit = slot => {
-    const bound = (part[RANGE] >>> 16) * ((quick[slot] + slow[slot]) >>> 1), one = part[CODE] >= bound;
-    if (one) {
-      part[CODE] -= bound;
-      part[RANGE] -= bound;
-      quick[slot] -= quick[slot] >> 4;
-      slow[slot] -= slow[slot] >> 7;
-    } else {
-      part[RANGE] = bound;
-      quick[slot] += (65536 - quick[slot]) >> 4;
-      slow[slot] += (65536 - slow[slot]) >> 7;
-    }
+    const zero = zeros[slot], bound = (part[RANGE] >>> 16) * zero, one = part[CODE] >= bound;
+    if (one) part[CODE] -= bound;
+    part[RANGE] = one ? part[RANGE] - bound : bound;
+    zeros[slot] += one ? -(zero >> 5) : (65536 - zero) >> 5;
     if (part[RANGE] < 0x1000000) shift();
     return one ? 1 : 0;
   };
@@ -163,10 +156,7 @@ function unpack(bytes) {
       if (!known.leaves.has(form)) known.leaves.set(form, []);
       const rows = known.leaves.get(form);
       kinds[form - 1].forEach((kind, i) => {
-        if (!rows[i]) {
-          rows[i] = lastOf(4);
-          if (seen[kind].length) rows[i].set(seen[kind][seen[kind].length - 1]);
-        }
+        rows[i] ??= lastOf(4);
         const size = kind >= PLACE ? 3 : 1, same = kind >= SCALAR ? read(SAME, rows[i], 3) : 0;
         for (let k = 0; k < size && !same; ++k) read(kind + k, rows[i], k);
         const now = same ? seen[kind][same - 1] : rows[i].slice(0, size);

@@ -86,7 +86,7 @@ PackedFacts::PackedFacts(const trace::Header& header)
   for (const char* list : {"frames", "times", "pairs", "texts", "forms"})
     json_[list] = ordered_json::array();
   for (const char* object : {"masses", "deformed"}) json_[object] = ordered_json::object();
-  json_["counts"] = {{"poses", 0}, {"records", 0}, {"manifolds", 0}, {"points", 0}, {"values", 0}};
+  for (const char* list : {"poses", "records", "manifolds", "points", "values"}) counts_[list] = 0;
   for (const trace::Shape& shape : header.shapes) bodies_.emplace(shape.name, count_of(bodies_));
   poses_.resize(bodies_.size());
 }
@@ -221,33 +221,26 @@ void PackedFacts::add_pair(const trace::Pair& pair, ordered_json stages) {
   for (int i = 0; i < count_of(leaves); ++i) {
     const auto& [field, value] = at(leaves, i);
     std::vector<Value>& known_values = seen[field];
-    if (i == count_of(last)) {
-      last.emplace_back();
-      for (int k = 0; k < 3 && !known_values.empty(); ++k)
-        at(last.back(), k).value = at(known_values.back(), k);
-    }
-    const auto same = std::ranges::find(known_values, value);
+    if (i == count_of(last)) last.emplace_back();
+    const auto found = std::ranges::find(known_values, value);
+    const int same = found == known_values.end() ? 0 : int(found - known_values.begin()) + 1;
     Row<4>& row_of = at(last, i);
-    if (field >= kScalar)
-      coder_.put(kSame,
-                 same == known_values.end() ? 0 : static_cast<int>(same - known_values.begin()) + 1,
-                 row_of[3]);
-    if (field >= kScalar && same != known_values.end()) continue;
+    if (field >= kScalar) coder_.put(kSame, same, row_of[3]);
+    if (field >= kScalar && same > 0) continue;
     for (int k = 0; k < (field >= kPlace ? 3 : 1); ++k)
       coder_.put(field + k, at(value, k), at(row_of, k));
     known_values.push_back(value);
   }
-  ordered_json& counts = json_["counts"];
-  for (const auto& [name, more] :
-       {std::pair("records", 1), std::pair("manifolds", row), std::pair("points", place),
-        std::pair("values", 3 * count_of(leaves))})
-    counts[name] = counts[name].get<int>() + more;
+  ++counts_["records"];
+  counts_["manifolds"] += row;
+  counts_["points"] += place;
+  counts_["values"] += 3 * count_of(leaves);
 }
 
 void PackedFacts::add(const trace::Frame& frame) {
   json_["frames"].push_back(frame.frame);
   json_["times"].push_back(frame.time);
-  json_["counts"]["poses"] = json_["counts"]["poses"].get<int>() + count_of(frame.poses);
+  counts_["poses"] += count_of(frame.poses);
   add_poses(frame);
   if (frame.solver)
     for (const trace::Body& body : frame.solver->bodies)
@@ -273,6 +266,7 @@ void PackedFacts::add(const trace::Frame& frame) {
 
 std::string PackedFacts::bytes(ordered_json page) const {
   page.update(json_);
+  page["counts"] = counts_;
   const std::string json = page.dump();
   std::string length;
   for (int i = 0; i < 4; ++i) length += static_cast<char>((json.size() >> (8 * i)) & 0xff);

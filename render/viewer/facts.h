@@ -78,7 +78,7 @@ class PackedFacts {
   nlohmann::ordered_json json_;
   Coder coder_{kFields};
   Row<kFields> last_{};
-  std::map<std::string, int> bodies_, pairs_;
+  std::map<std::string, int> bodies_, pairs_, counts_;
   std::map<std::pair<std::string, std::string>, int> numbers_;
   std::vector<Row<7>> poses_;
   std::vector<Known> known_;

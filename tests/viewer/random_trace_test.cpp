@@ -88,35 +88,35 @@ CrateOnSlab random_scene(test::Random& random) {
 }
 
 /// A JSON value of the page, and that of the trace. `name`: the key of the value.
-void expect_near(const json& shown, const json& told, const std::string& name) {
-  if (told.is_object()) {
-    for (const auto& [key, value] : told.items())
+void expect_near(const json& shown, const json& said, const std::string& name) {
+  if (said.is_object()) {
+    for (const auto& [key, value] : said.items())
       if (!value.is_null()) expect_near(shown.value(key, json()), value, key);
     for (const auto& [key, value] : shown.items())
-      EXPECT_TRUE(value.is_null() || told.contains(key)) << key;
+      EXPECT_TRUE(value.is_null() || said.contains(key)) << key;
     return;
   }
-  if (told.is_array()) {
-    ASSERT_EQ(shown.size(), told.size()) << name;
+  if (said.is_array()) {
+    ASSERT_EQ(shown.size(), said.size()) << name;
     const bool is_vector =
-        told.size() == 3 && told[0].is_number() && name != "friction" && name != "kept";
-    for (std::size_t i = 0; i < told.size(); ++i) {
+        said.size() == 3 && said[0].is_number() && name != "friction" && name != "kept";
+    for (std::size_t i = 0; i < said.size(); ++i) {
       if (is_vector) {
         EXPECT_NEAR(
-            shown[i].get<double>(), told[i].get<double>(),
-            (name == "normal" ? kUnitError : kPlaceError) + 1e-6 * std::abs(told[i].get<double>()))
+            shown[i].get<double>(), said[i].get<double>(),
+            (name == "normal" ? kUnitError : kPlaceError) + 1e-6 * std::abs(said[i].get<double>()))
             << name;
       } else {
-        expect_near(shown[i], told[i], "");
+        expect_near(shown[i], said[i], "");
       }
     }
-  } else if (told.is_number_float()) {
+  } else if (said.is_number_float()) {
     ASSERT_TRUE(shown.is_number()) << name;
-    EXPECT_NEAR(shown.get<double>(), told.get<double>(),
-                fine(told.get<double>()) + 1e-6 * std::abs(told.get<double>()))
+    EXPECT_NEAR(shown.get<double>(), said.get<double>(),
+                fine(said.get<double>()) + 1e-6 * std::abs(said.get<double>()))
         << name;
   } else {
-    EXPECT_EQ(shown, told) << name;
+    EXPECT_EQ(shown, said) << name;
   }
 }
 
@@ -137,7 +137,7 @@ TEST_F(InChromium, UnpacksWhatTheTraceOfARandomSceneSays) {
     for (std::size_t f = 0; f < scene.frames.size(); ++f) {
       const trace::Frame& frame = scene.frames[f];
       const json& shown = page["frames"][f];
-      const json told = json::parse(trace::to_json_line(frame));
+      const json said = json::parse(trace::to_json_line(frame));
       for (std::size_t body = 0; body < 3; ++body) {
         const json& pose = shown["poses"][body];
         const auto known = std::ranges::find(frame.poses, scene.header.shapes[body].name,
@@ -145,9 +145,9 @@ TEST_F(InChromium, UnpacksWhatTheTraceOfARandomSceneSays) {
         ASSERT_EQ(pose.is_null(), known == frame.poses.end());
         if (pose.is_null()) continue;
         const Vec3d at(pose[0].get<double>(), pose[1].get<double>(), pose[2].get<double>());
-        const Vec3d& told_at = known->second.position;
-        EXPECT_LT((at - told_at).lpNorm<Eigen::Infinity>(),
-                  kQuantum * 0.501 + 1e-7 * told_at.norm());
+        const Vec3d& said_at = known->second.position;
+        EXPECT_LT((at - said_at).lpNorm<Eigen::Infinity>(),
+                  kQuantum * 0.501 + 1e-7 * said_at.norm());
         const Quatd turned(pose[3].get<double>(), pose[4].get<double>(), pose[5].get<double>(),
                            pose[6].get<double>());
         EXPECT_LT(known->second.rotation.angularDistance(turned.normalized()), 4e-4);
@@ -162,15 +162,15 @@ TEST_F(InChromium, UnpacksWhatTheTraceOfARandomSceneSays) {
         ASSERT_EQ(one["manifolds"].size(), pair.manifolds.size());
         for (std::size_t m = 0; m < pair.manifolds.size(); ++m) {
           const trace::Manifold& manifold = pair.manifolds[m];
-          const json &shown_one = one["manifolds"][m], &told_one = told["pairs"][i]["manifolds"][m];
-          expect_near(shown_one["normal"], told_one["normal"], "normal");
+          const json &shown_one = one["manifolds"][m], &said_one = said["pairs"][i]["manifolds"][m];
+          expect_near(shown_one["normal"], said_one["normal"], "normal");
           EXPECT_EQ(shown_one["axis"], manifold.axis);
           EXPECT_EQ(shown_one["triangle"], manifold.triangle.value_or(-1));
           ASSERT_EQ(shown_one["points"].size(), manifold.points.size());
           for (std::size_t p = 0; p < manifold.points.size(); ++p) {
             const trace::Point& point = manifold.points[p];
             const json& dot = shown_one["points"][p];
-            expect_near(dot["position"], told_one["points"][p]["position"], "position");
+            expect_near(dot["position"], said_one["points"][p]["position"], "position");
             expect_near(dot["separation"], point.separation, "separation");
             EXPECT_EQ(dot["id"], point.id);
             ASSERT_EQ(dot["impulse"].is_null(), !point.impulse.has_value());
@@ -181,7 +181,7 @@ TEST_F(InChromium, UnpacksWhatTheTraceOfARandomSceneSays) {
                         point.impulse->friction.norm() / 2048);
           }
         }
-        json stages = told["pairs"][i];
+        json stages = said["pairs"][i];
         for (const char* key : {"a", "b", "label", "kind", "state", "separation", "manifolds"})
           stages.erase(key);
         expect_near(one["stages"], stages, "");

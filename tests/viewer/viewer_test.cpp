@@ -102,7 +102,7 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_THAT(page["wrong"].get<std::string>(), HasSubstr("a quantity is missing at the end"));
 }
 
-TEST_F(InChromium, ANewSearchStaysAtAFrameThatIsFoundAndTheSameOneGoesOn) {
+TEST_F(InChromium, SearchStaysAtAFrameThatIsFoundAndGoesOnIfRepeated) {
   const json page = result(R"(
     const { data, state, go } = contactscope, expression = document.getElementById('expression');
     const enter = text => {
