@@ -1,25 +1,51 @@
 // The bodies: one instanced mesh for all of one form, and the lines of their edges.
 
 const WALL = 2.5;  // sizes of a typical body: what is larger may be a wall
+const SMALL = 0.1;  // sizes per distance: half a pixel is less than what coarser surfaces change
 const CREASE = Math.cos(25 * Math.PI / 180);  // flatter edges are not drawn
-const SURFACE = [`
-  attribute vec4 tint; varying vec4 vTint; varying vec3 vNormal, vSeen;
+const TONE = `
+  uniform vec3 tones; uniform vec2 borders; varying vec4 vTint; varying vec3 vNormal, vSeen;
+  float toneOf(vec3 n) {
+    float lit = dot(n, normalize(vec3(-.5, .75, .62)));
+    return lit > borders.x ? tones.x : lit > borders.y ? tones.y : tones.z;
+  }`;
+const SURFACE = [TONE + `
+  attribute vec4 tint;
+  #ifdef WALL
+  uniform vec3 subject; uniform float wall; varying vec2 vCut;
+  #endif
   void main() {
     vec4 seen = viewMatrix * instanceMatrix * vec4(position, 1.);
     vNormal = (viewMatrix * instanceMatrix * vec4(normal, 0.)).xyz; vSeen = seen.xyz; vTint = tint;
-    gl_Position = projectionMatrix * seen;
-  }`, `
-  uniform vec3 tones, edge, subject; uniform vec2 borders; uniform float alpha, rim, wall;
-  varying vec4 vTint; varying vec3 vNormal, vSeen;
-  void main() {
-    vec3 n = normalize(vNormal) * (gl_FrontFacing ? 1. : -1.);
+    #ifdef FLAT
+    vTint.rgb *= toneOf(normalize(vNormal));
+    #endif
+    #ifdef WALL
     vec3 middle = (viewMatrix * vec4(subject, 1.)).xyz;
+    vCut = vec2(dot(normalize(vNormal), middle - vSeen) + wall, dot(middle, middle));
+    #endif
+    gl_Position = projectionMatrix * seen;
+  }`, TONE + `
+  uniform vec3 edge; uniform float alpha;
+  #ifdef WALL
+  varying vec2 vCut;
+  #endif
+  void main() {
+    #ifdef WALL
     // A wall in front of the contacts is cut away: they are behind its face, and farther from the eye.
-    if (wall > 0. && dot(n, middle - vSeen) < -wall && length(vSeen) < length(middle)) discard;
-    float lit = dot(n, normalize(vec3(-.5, .75, .62))), facing = abs(dot(n, normalize(vSeen)));
-    float tone = lit > borders.x ? tones.x : lit > borders.y ? tones.y : tones.z;
-    float outline = rim * (1. - smoothstep(1., 1.6, facing / (fwidth(facing) * (vTint.a > 1.5 ? 3. : 1.6) + 1e-5)));
-    gl_FragColor = vec4(mix(vTint.rgb * tone, edge, outline), max(alpha, outline));
+    if (vCut.x < 0. && dot(vSeen, vSeen) < vCut.y) discard;
+    #endif
+    #ifdef FLAT
+    gl_FragColor = vec4(vTint.rgb, alpha);
+    #else
+    vec3 n = normalize(vNormal) * (gl_FrontFacing ? 1. : -1.);
+    gl_FragColor = vec4(vTint.rgb * toneOf(n), alpha);
+    #endif
+    #ifdef ROUND
+    float facing = abs(dot(n, normalize(vSeen)));
+    float outline = 1. - smoothstep(1., 1.6, facing / (fwidth(facing) * (vTint.a > 1.5 ? 3. : 1.6) + 1e-5));
+    gl_FragColor = vec4(mix(gl_FragColor.rgb, edge, outline), max(alpha, outline));
+    #endif
   }`];
 const point3 = ([x, y, z]) => new THREE.Vector3(x, y, z);
 /** Moves a geometry: +`axis` becomes `direction`. */
@@ -28,22 +54,22 @@ const laid = (geometry, axis, direction, middle) => {
   return geometry.applyMatrix(new THREE.Matrix4().compose(middle, turn, new THREE.Vector3(1, 1, 1)));
 };
 
-/** The surface of a shape in its frame. `reach`: half of the width at which planes are drawn. */
-function surfaceOf(shape, reach) {
+/** The surface of a shape in its frame. `reach`: half of the width at which planes are drawn. `detail`: 1; less for what is small on screen. */
+function surfaceOf(shape, reach, detail = 1) {
   const ends = (shape.vertices || []).map(point3), radius = shape.radius || 0;
   if (shape.half_space) {
     const normal = point3(shape.half_space.normal), plane = new THREE.PlaneBufferGeometry(2 * reach, 2 * reach);
     return { open: true, geometry: laid(plane, new THREE.Vector3(0, 0, 1), normal, normal.clone().multiplyScalar(shape.half_space.offset)) };
   }
   if (!(radius > 0) || ends.length > 2) return { geometry: polyhedron(shape.vertices || [], shape.faces || []), open: shape.type === 'mesh' };
-  if (ends.length === 1) return { round: true, geometry: new THREE.SphereBufferGeometry(radius, 32, 20).translate(...shape.vertices[0]) };
-  const half = ends[0].distanceTo(ends[1]) / 2, profile = [];
-  for (let i = 0; i < 22; ++i) {
-    const angle = Math.PI * ((i < 11 ? i : i - 1) / 20 - 0.5);
-    profile.push(new THREE.Vector2(Math.max(1e-6, Math.cos(angle) * radius), Math.sin(angle) * radius + (i < 11 ? -half : half)));
+  if (ends.length === 1) return { round: true, geometry: new THREE.SphereBufferGeometry(radius, 32 * detail, 20 * detail).translate(...shape.vertices[0]) };
+  const half = ends[0].distanceTo(ends[1]) / 2, profile = [], arc = Math.round(10 * detail);
+  for (let i = 0; i < 2 * arc + 2; ++i) {
+    const angle = Math.PI * ((i <= arc ? i : i - 1) / (2 * arc) - 0.5);
+    profile.push(new THREE.Vector2(Math.max(1e-6, Math.cos(angle) * radius), Math.sin(angle) * radius + (i <= arc ? -half : half)));
   }
   const along = ends[1].clone().sub(ends[0]);
-  return { round: true, geometry: laid(new THREE.LatheBufferGeometry(profile, 28), new THREE.Vector3(0, 1, 0), along, ends[0].addScaledVector(along, 0.5)) };
+  return { round: true, geometry: laid(new THREE.LatheBufferGeometry(profile, 28 * detail), new THREE.Vector3(0, 1, 0), along, ends[0].addScaledVector(along, 0.5)) };
 }
 function polyhedron(vertices, faces) {
   const geometry = new THREE.BufferGeometry();
@@ -71,7 +97,8 @@ function creases(shape) {
 }
 
 class Bodies {
-  constructor(scene) {
+  /** `opaque`: bodies hide what is behind them. */
+  constructor(scene, opaque) {
     // A body is an `a` if it is first in the first pair that names it.
     this.isA = data.shapes.map((_, body) => (data.pairs.find(([a, b]) => a === body || b === body) || [body])[0] === body);
     this.sizes = data.shapes.map(shape => {
@@ -83,6 +110,8 @@ class Bodies {
     this.reach = 1.5 * (sizes.pop() || 4);
     this.creases = data.shapes.map(creases);
     this.subject = { value: new THREE.Vector3() };  // the middle of the contacts
+    this.opaque = opaque;
+    this.materials = {};
     this.matrices = data.shapes.map(() => new THREE.Matrix4());
     this.here = data.shapes.map(() => false);
     this.probe = new THREE.Mesh();
@@ -95,13 +124,18 @@ class Bodies {
     this.forms = [...forms.values()].map(members => {
       const { geometry, open, round } = surfaceOf(data.shapes[members[0]], this.reach);
       const tints = setAttribute(geometry, 'tint', new Float32Array(4 * members.length), 4, true);
-      const material = new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1], transparent: true,
-        side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
+      // One material for all bodies of a kind; without a GPU each change of it takes time, and so does what is hidden.
+      const isWall = opaque && data.shapes[members[0]].type !== 'mesh' && this.sizes[members[0]] > WALL * this.size;
+      const material = this.materials[[open, round, isWall]] ??= new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1],
+        transparent: !opaque, depthWrite: opaque, side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
+        defines: { ...round && { ROUND: 1 }, ...!round && !open && { FLAT: 1 }, ...isWall && { WALL: 1 } },
         uniforms: { tones: { value: point3(data.tones) }, borders: { value: new THREE.Vector2(...data.tone_borders) },
-          edge: { value: new THREE.Vector3() }, alpha: { value: 1 }, rim: { value: round ? 1 : 0 }, subject: this.subject, wall: { value: 0 } } });
+          edge: { value: new THREE.Vector3() }, alpha: { value: opaque ? 1 : 0.62 }, subject: this.subject, wall: { value: isWall ? 0.2 * this.size : 0 } } });
       const mesh = Object.assign(new THREE.InstancedMesh(geometry, material, members.length), { frustumCulled: false });
       scene.add(mesh);
-      return { members, mesh, tints };
+      const coarse = round ? surfaceOf(data.shapes[members[0]], this.reach, 0.75).geometry : geometry;
+      coarse.setAttribute('tint', tints);
+      return { members, mesh, tints, geometry, coarse };
     });
     scene.add(this.lines.object);
   }
@@ -121,27 +155,36 @@ class Bodies {
   }
 
   /** `chosen`: bodies that stand out. */
-  draw(shown, opaque, chosen) {
+  draw(shown, chosen) {
     const edge = color.get('edge'), none = new THREE.Matrix4().makeScale(0, 0, 0), { lines, matrices, creases } = this;
     lines.rows = 0;
     for (const { members, mesh, tints } of this.forms) {
       members.forEach((body, i) => {
         const stands = chosen.has(body), wide = stands ? 3 : creases[body].length > 400 ? 0.7 : 1.4;
         mesh.setMatrixAt(i, this.here[body] ? matrices[body] : none);
-        tints.array.set([...color.get(this.isA[body] ? 'shape_a' : 'shape_b').map(c => stands ? c * 0.86 : c), stands ? 2 : 1], 4 * i);
+        const tint = [...color.get(this.isA[body] ? 'shape_a' : 'shape_b').map(c => Math.fround(stands ? c * 0.86 : c)), stands ? 2 : 1];
+        if (tint.some((x, k) => x !== tints.array[4 * i + k])) tints.needsUpdate = true;
+        tints.array.set(tint, 4 * i);
         if (!shown || !this.here[body] || !creases[body].length) return;
         const world = data.shapes[body].vertices.map(vertex => point3(vertex).applyMatrix4(matrices[body]).toArray());
         for (const { ends: [from, to], flat } of creases[body]) lines.add(world[from], world[to], edge, flat ? 0.7 : wide, flat ? 0.25 : wide < 1 ? 0.5 : 1);
       });
-      mesh.instanceMatrix.needsUpdate = tints.needsUpdate = true;
-      mesh.material.uniforms.alpha.value = opaque ? 1 : 0.62;
+      mesh.instanceMatrix.needsUpdate = true;
       mesh.material.uniforms.edge.value.set(...edge);
-      mesh.material.depthWrite = opaque;
-      mesh.material.uniforms.wall.value = opaque && data.shapes[members[0]].type !== 'mesh' && this.sizes[members[0]] > WALL * this.size ? 0.2 * this.size : 0;
       mesh.visible = shown;
     }
-    lines.object.material.depthTest = opaque;
+    lines.object.material.depthTest = this.opaque;
     lines.flush();
+  }
+
+  /** Draws the bodies nearest to the eye first, so that they hide others before their colours are computed. */
+  sort(eye) {
+    const at = new THREE.Vector3();
+    for (const { members, mesh, geometry, coarse } of this.opaque ? this.forms : []) {
+      const far = at.setFromMatrixPosition(this.matrices[members[0]]).distanceTo(eye);
+      mesh.renderOrder = far / (1 + far);
+      mesh.geometry = members.length === 1 && this.sizes[members[0]] < SMALL * far ? coarse : geometry;
+    }
   }
 
   /** The nearest body on a ray; -1 without one. */

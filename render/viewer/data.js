@@ -5,10 +5,19 @@
 let data = null;  // set once by main.js, before anything is shown
 const byId = id => document.getElementById(id);
 
-/** Bytes of an element's text: base64 of a zlib stream. */
+/** Bytes of an element's text: a zlib stream, each 13 bits of it as two of 91 characters (viewer.cpp). */
 async function inflate(element) {
-  const text = atob(element.textContent.trim()), bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  const text = element.textContent.trim(), bytes = new Uint8Array((text.length >> 1) * 13 + (text.length & 1) * 6 >> 3), digit = i => text.charCodeAt(i) - (text.charCodeAt(i) > 60 ? 36 : 35);
+  for (let i = 0, at = 0, bits = 0, count = 0; at < bytes.length; ++at) {
+    if (count < 8) {
+      bits |= (digit(i) + 91 * (digit(i + 1) || 0)) << count;
+      count += 13;
+      i += 2;
+    }
+    bytes[at] = bits;
+    bits >>>= 8;
+    count -= 8;
+  }
   element.remove();
   const stream = new DecompressionStream('deflate'), writer = stream.writable.getWriter();
   writer.write(bytes);
@@ -16,86 +25,153 @@ async function inflate(element) {
   return new Uint8Array(await new Response(stream.readable).arrayBuffer());
 }
 
-function decode(bytes, at, count) {
-  const numbers = new Int32Array(count);
-  for (let i = 0; i < count; ++i) {
-    let number = 0, shift = 0, byte;
-    do {
-      number |= ((byte = bytes[at++]) & 127) << shift;
-      shift += 7;
-    } while (byte & 128);
-    numbers[i] = (number >>> 1) ^ -(number & 1);
-  }
-  return numbers;
+/** The fields of facts.h, in their order. */
+const [POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT] =
+  [0, 1, 2, 9, 10, 11, 12, 13, 14, 15, 18, 24, 25, 26, 27, 28, 31];
+const FIELDS = 34, CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in coder.h
+/** `size` last values, and then the bits of their last differences. */
+const lastOf = size => new Int32Array(2 * size);
+
+/** The coder of coder.h, backwards: read(field, last, k) is the next integer, which is also written to last[k]. */
+function reader(bytes, at) {
+  const zeros = new Uint16Array(FIELDS * FIELD_SLOTS).fill(32768);
+  const part = new Uint32Array([0xffffffff, 0]), RANGE = 0, CODE = 1;  // of [0, 1), times 2^32
+  for (let i = 0; i < 4; ++i) part[CODE] = part[CODE] << 8 | bytes[at++];
+  const shift = () => {
+    for (; part[RANGE] < 0x1000000; part[RANGE] <<= 8) part[CODE] = part[CODE] << 8 | bytes[at++];
+  };
+  const bit = slot => {
+    const zero = zeros[slot], bound = (part[RANGE] >>> 16) * zero, one = part[CODE] >= bound;
+    if (one) part[CODE] -= bound;
+    part[RANGE] = one ? part[RANGE] - bound : bound;
+    zeros[slot] += one ? -(zero >> 5) : (65536 - zero) >> 5;
+    if (part[RANGE] < 0x1000000) shift();
+    return one ? 1 : 0;
+  };
+  return (field, last, k = 0) => {
+    const slots = field * FIELD_SLOTS, size = last.length >> 1, context = slots + last[size + k] * SLOTS;
+    last[size + k] = 0;
+    if (!bit(context)) return last[k];
+    let node = 1, zigzag = 1;
+    while (node < 32) node = 2 * node + bit(context + node);
+    let left = node - 32;  // bits after the first one
+    last[size + k] = left + 1;
+    for (const upper = slots + CONTEXTS * SLOTS + 4 * left, last = Math.max(0, left - 2); left > last; --left) zigzag = 2 * zigzag + bit(upper + (zigzag & 3 | (zigzag < 2 ? 0 : 2)));
+    while (left > 0) {
+      const some = Math.min(left, 16);
+      part[RANGE] >>>= some;
+      const digits = part[CODE] / part[RANGE] | 0;
+      part[CODE] -= digits * part[RANGE];
+      zigzag = zigzag << some | digits;
+      left -= some;
+      shift();
+    }
+    return last[k] += (zigzag >>> 1) ^ -(zigzag & 1);
+  };
 }
 
-/** Starts of the lists whose lengths are `counts`, and the end of the last one. */
-function starts(counts) {
-  const all = new Int32Array(counts.length + 1);
-  counts.forEach((count, i) => { all[i + 1] = all[i] + count; });
-  return all;
-}
-
-/** An impulse of its upper bits; NaN: not recorded. */
 const bits = new Int32Array(1), asFloat = new Float32Array(bits.buffer);
-const floatOf = steps => steps === 0 ? NaN : ((bits[0] = (steps - 1) << 11), asFloat[0]);
+/** An impulse of its upper bits; NaN: not recorded. */
+const impulseOf = steps => steps === 0 ? NaN : ((bits[0] = (steps - 1) << 13), asFloat[0]);
+/** Multiples of a step, or the upper bits of so many. */
+const fineOf = steps => Math.abs(steps) < 2048 ? steps : ((bits[0] = (Math.abs(steps) + (137 << 11)) << 12), Math.sign(steps) * asFloat[0]);
 
 function unpack(bytes) {
-  const length = new DataView(bytes.buffer).getUint32(0, true);
-  const data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
-  let at = 4 + length;
-  const columns = data.columns.map(([count, size]) => decode(bytes, (at += size) - size, count));
-  const next = () => columns.shift(), several = count => Array.from({ length: count }, next);
-  const frames = data.frames.length, q = data.quantum, fine = q / 256;
-
+  const length = new DataView(bytes.buffer).getUint32(0, true), read = reader(bytes, 4 + length);
+  const data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), { counts, quantum } = data, frames = data.frames.length;
+  data.forms = data.forms.map(form => JSON.parse(form));
+  data.place = 4 * quantum;
+  data.unit = 4 / data.units;
+  data.fine = Math.min(quantum, 1 / data.units) / 256;
   data.shapes = Object.entries(data.header.shapes).map(([name, shape]) => ({ ...shape, name }));
-  const bodies = data.shapes.length, poses = starts(next()), poseBody = next(), pose = several(7), lastPose = new Int32Array(bodies * 7);
-  data.poseOf = new Int32Array(frames * bodies).fill(-1);  // frame * bodies + body -> pose
-  data.pose = new Float32Array(poseBody.length * 7);       // position, rotation w, x, y, z
-  for (let frame = 0; frame < frames; ++frame)
-    for (let i = poses[frame], body = 0; i < poses[frame + 1]; ++i, ++body) {
-      data.poseOf[frame * bodies + (body += poseBody[i])] = i;
-      for (let k = 0; k < 7; ++k) data.pose[7 * i + k] = (lastPose[7 * body + k] += pose[k][i]) * (k < 3 ? q : 1 / data.units);
-    }
-
+  const bodies = data.shapes.length, single = Array.from({ length: FIELDS }, () => lastOf(1)), lastPose = data.shapes.map(() => lastOf(7));
+  const next = (field, predicted = 0) => ((single[field][0] = predicted), read(field, single[field]));
+  const listOf = (size, kind = Int32Array) => new kind(size);
+  data.poseOf = listOf(frames * bodies).fill(-1);   // frame * bodies + body -> pose
+  data.pose = listOf(7 * counts.poses, Float32Array);  // position, rotation w, x, y, z
   // frame -> records of pairs -> manifolds -> points
-  const contacts = data.contacts = { first: starts(next()), pair: next(), state: next() }, separation = next();
-  Object.assign(contacts, { stages: next(), manifolds: starts(next()), separation: new Float64Array(separation.length),
-    before: new Int32Array(separation.length).fill(-1),  // the pair's record in the frame before; -1: none
-    age: new Float32Array(separation.length).fill(NaN), away: new Float32Array(separation.length).fill(NaN) });  // as in `find`, frames
-  const normal = several(3), manifolds = data.manifolds = { axis: next(), type: next(), triangle: next(), first: starts(next()) };
-  manifolds.normal = new Float32Array(normal[0].length * 3);
-  const point = several(7), count = point[0].length, points = data.points = { id: new Int32Array(count), position: new Float64Array(3 * count),
-    separation: new Float64Array(count), impulse: new Float32Array(count), friction: new Float32Array(count) };
-  const last = data.pairs.map(() => ({ points: [], normal: new Int32Array(3), frame: -2, record: -1, touched: -1, since: 0, away: NaN }));
-  for (let frame = 0; frame < frames; ++frame)
-    for (let record = contacts.first[frame]; record < contacts.first[frame + 1]; ++record) {
-      const known = last[contacts.pair[record]];
+  const contacts = data.contacts = { first: listOf(frames + 1), pair: listOf(counts.records), state: listOf(counts.records), manifolds: listOf(counts.records + 1),
+    separation: listOf(counts.records, Float64Array), stages: listOf(counts.records),  // 1 + index of a form
+    values: listOf(counts.records),                     // the first of the stages' values
+    before: listOf(counts.records).fill(-1),            // the pair's record in the frame before; -1: none
+    age: listOf(counts.records, Float32Array).fill(NaN), away: listOf(counts.records, Float32Array).fill(NaN) };  // as in `find`, frames
+  const manifolds = data.manifolds = { axis: listOf(counts.manifolds), type: listOf(counts.manifolds), triangle: listOf(counts.manifolds), first: listOf(counts.manifolds + 1),
+    normal: listOf(3 * counts.manifolds, Float32Array) };
+  const points = data.points = { id: listOf(counts.points), position: listOf(3 * counts.points, Float64Array), separation: listOf(counts.points, Float64Array),
+    impulse: listOf(counts.points, Float32Array), friction: listOf(counts.points, Float32Array) };
+  const values = data.values = listOf(counts.values), last = data.pairs.map((_, pair) => ({ follower: lastOf(1).fill(pair + 1, 0, 1), steady: lastOf(1), gap: lastOf(1),
+    layout: [], normals: [], points: [], leaves: new Map(), frame: -2, record: -1, touched: -1, since: 0, away: NaN }));
+  const kinds = data.forms.map(form => leavesOf(form));
+  let pose = 0, record = 0, manifold = 0, point = 0, value = 0, previous = 0;
+  for (let frame = 0; frame < frames; ++frame) {
+    for (let left = next(POSES), body = 0; left > 0; --left, ++body, ++pose) {
+      body = next(POSE_BODY, body);
+      data.poseOf[frame * bodies + body] = pose;
+      for (let k = 0; k < 7; ++k) data.pose[7 * pose + k] = read(POSE + k, lastPose[body], k) * (k < 3 ? quantum : 1 / data.units);
+    }
+    for (let left = next(PAIRS, single[PAIRS][0]); left > 0; --left, ++record) {
+      previous = contacts.pair[record] = read(PAIR, last[previous].follower);
+      const known = last[previous];
+      if (!read(STEADY, known.steady)) {
+        known.layout.length = next(LAYOUT_SIZE, known.layout.length);
+        for (let i = 0; i < known.layout.length; ++i) known.layout[i] = next(LAYOUT, known.layout[i] || 0);
+      }
+      const state = known.layout[0], form = known.layout[1], count = known.layout[2], seen = form ? { [INTEGER]: [], [TEXT]: [], [SCALAR]: [], [PLACE]: [], [UNIT]: [] } : null;
+      contacts.state[record] = state;
       if (known.frame === frame - 1) contacts.before[record] = known.record;
       Object.assign(known, { frame, record });
-      const touches = contacts.manifolds[record] < contacts.manifolds[record + 1], away = known.touched < 0 ? NaN : frame - known.touched;
+      const touches = count > 0, away = known.touched < 0 ? NaN : frame - known.touched;
       if (touches && known.touched !== frame - 1) [known.since, known.away] = [frame, away - 1];
       if (touches) known.touched = frame;
       contacts.age[record] = touches ? frame - known.since : NaN;
       contacts.away[record] = touches ? known.away : away;
-      let place = 0, deepest = 2147483647;
-      for (let m = contacts.manifolds[record]; m < contacts.manifolds[record + 1]; ++m) {
-        for (let k = 0; k < 3; ++k) manifolds.normal[3 * m + k] = (known.normal[k] += normal[k][m]) / data.units;
-        for (let i = manifolds.first[m]; i < manifolds.first[m + 1]; ++i, ++place) {
-          const now = known.points[place] ??= place ? known.points[place - 1].slice() : new Int32Array(7);
-          for (let k = 0; k < 7; ++k) now[k] += point[k][i];
-          for (let k = 0; k < 3; ++k) points.position[3 * i + k] = now[k] * q;
-          points.separation[i] = now[3] * fine;
-          points.impulse[i] = floatOf(now[4]);
-          points.friction[i] = floatOf(now[5]);
-          points.id[i] = now[6];
+      let place = 0, deepest = 2147483647, at = 3;  // of the layout
+      for (let m = 0; m < count; ++m, ++manifold) {
+        const normal = known.normals[m] ??= m ? known.normals[m - 1].slice() : lastOf(3);
+        for (let k = 0; k < 3; ++k) manifolds.normal[3 * manifold + k] = read(NORMAL + k, normal, k) * data.unit;
+        manifolds.axis[manifold] = known.layout[at++];
+        manifolds.type[manifold] = known.layout[at++];
+        manifolds.triangle[manifold] = known.layout[at++];
+        if (form) seen[UNIT].push(normal.slice(0, 3));
+        for (let left = known.layout[at++]; left > 0; --left, ++place, ++point) {
+          const now = known.points[place] ??= place ? known.points[place - 1].slice() : lastOf(6);
+          for (let k = 0; k < 6; ++k) read(POINT + k, now, k);
+          for (let k = 0; k < 3; ++k) points.position[3 * point + k] = now[k] * data.place;
+          points.separation[point] = fineOf(now[3]) * data.fine;
+          points.impulse[point] = impulseOf(now[4]);
+          points.friction[point] = impulseOf(now[5]);
+          points.id[point] = known.layout[at++];
           deepest = Math.min(deepest, now[3]);
+          if (form) seen[PLACE].push(now.slice(0, 3));
+          if (form) seen[SCALAR].push(now.slice(3, 4));
         }
+        manifolds.first[manifold + 1] = point;
       }
-      contacts.separation[record] = ((place && deepest) + separation[record] | 0) * fine;
+      if (place) known.gap[0] = deepest;
+      contacts.separation[record] = fineOf(read(SEPARATION, known.gap)) * data.fine;
+      contacts.manifolds[record + 1] = manifold;
+      contacts.stages[record] = form;
+      contacts.values[record] = value;
+      if (!form) continue;
+      if (!known.leaves.has(form)) known.leaves.set(form, []);
+      const rows = known.leaves.get(form);
+      kinds[form - 1].forEach((kind, i) => {
+        rows[i] ??= lastOf(4);
+        const size = kind >= PLACE ? 3 : 1, same = kind >= SCALAR ? read(SAME, rows[i], 3) : 0;
+        for (let k = 0; k < size && !same; ++k) read(kind + k, rows[i], k);
+        const now = same ? seen[kind][same - 1] : rows[i].slice(0, size);
+        if (!same) seen[kind].push(now);
+        values.set(now, value);
+        value += size;
+      });
     }
+    contacts.first[frame + 1] = record;
+  }
   return data;
 }
+
+/** The kinds of the values in a form, in their order. */
+const leavesOf = form => typeof form === 'number' ? [form] : typeof form === 'object' && form ? Object.values(form).flatMap(leavesOf) : [];
 
 /** Calls `look(point, manifold)` for the points of a record of a pair, in order. */
 function eachPoint(record, look) {
@@ -105,7 +181,16 @@ function eachPoint(record, look) {
 const recordsOf = frame => Array.from({ length: data.contacts.first[frame + 1] - data.contacts.first[frame] }, (_, i) => data.contacts.first[frame] + i);
 /** The frame's record of a pair; -1: none. */
 const recordOf = (pair, frame) => data.contacts.pair.subarray(0, data.contacts.first[frame + 1]).indexOf(pair, data.contacts.first[frame]);
-const stagesOf = record => data.contacts.stages[record] ? data.stages[data.contacts.stages[record] - 1] : {};
+/** The stages of a record, from their form and values. */
+function stagesOf(record) {
+  let at = data.contacts.values[record];
+  const triple = step => [0, 1, 2].map(() => data.values[at++] * step);
+  const of = { [INTEGER]: () => data.values[at++], [TEXT]: () => data.texts[data.values[at++]], [SCALAR]: () => fineOf(data.values[at++]) * data.fine,
+    [PLACE]: () => triple(data.place), [UNIT]: () => triple(data.unit) };
+  const fill = form => typeof form === 'number' ? of[form]() : Array.isArray(form) ? form.map(fill)
+    : form && typeof form === 'object' ? Object.fromEntries(Object.entries(form).map(([name, inner]) => [name, fill(inner)])) : form;
+  return data.contacts.stages[record] ? fill(data.forms[data.contacts.stages[record] - 1]) : {};
+}
 const namesOf = pair => [data.shapes[data.pairs[pair][0]].name, data.shapes[data.pairs[pair][1]].name, data.pairs[pair][2]];
 const pairName = pair => namesOf(pair).slice(0, 2).join(' and ') + (data.pairs[pair][2] && ' (' + data.pairs[pair][2] + ')');
 const positionOf = point => data.points.position.subarray(3 * point, 3 * point + 3);

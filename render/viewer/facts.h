@@ -1,70 +1,88 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "trace/trace.h"
+#include "viewer/coder.h"
 
-/// The facts of a sequence in a compact form: shapes once, then columns of integers.
+/// The facts of a sequence in a compact form: shapes once, then integers.
 namespace contactscope::viewer {
 
-/// The columns, in the order in which data.js reads them. An integer is stored as its difference
-/// from a predicted one, zigzag, then LEB128: resting bodies give runs of zeros.
-enum Columns {
+/// The fields of the integers, as in data.js. Each is stored as its difference from the one of the
+/// same body, or of the same place in the pair's last list.
+enum Field {
   kPoses,     // number in a frame
   kPoseBody,  // predicted: the next body
-  kPose,      // position, rotation w, x, y, z; predicted: the body's last pose
+  kPose,      // position, rotation w, x, y, z
   kPairs = kPose + 7,
-  kPair,
-  kPairState,       // 1: touching
-  kPairSeparation,  // predicted: that of its deepest point
-  kPairStages,      // 1 + index of its stages; 0: none
-  kManifolds,
-  kNormal,  // predicted: the pair's last one
-  kAxis = kNormal + 3,
-  kType,
-  kTriangle,
-  kPoints,
-  kPoint,  // position, separation, impulse + 1, friction impulse + 1, id; predicted: the
-           // point at the same place of the pair's last list
-  kColumns = kPoint + 7
+  kPair,    // predicted: the one that followed the last time
+  kSteady,  // 1: the pair's layout is the last one
+  kLayoutSize,
+  kLayout,          // 1: touching; 1 + index of the form of its stages, 0: none; manifolds; and of
+                    // each: axis, type, triangle, number of points, ids
+  kPairSeparation,  // predicted: that of its deepest point, if it has one
+  kNormal,
+  kPoint = kNormal + 3,  // position, separation, impulse + 1, friction impulse + 1
+  kSame = kPoint + 6,    // of a value in the stages: 1 + index of an equal one; 0: none
+  kInteger,              // the kinds of values in stages
+  kText,
+  kScalar,
+  kPlace,
+  kUnit = kPlace + 3,
+  kFields = kUnit + 3
 };
 
-/// Positions are multiples of `quantum`: 1/16384 of the smallest shape, rounded down to a power of
-/// two. Separations are multiples of quantum / 256, impulses the upper 21 bits of a float.
+/// Positions of bodies are multiples of `quantum`: 1/16384 of the smallest shape, rounded down to a
+/// power of two; those of points multiples of four quanta. Separations are multiples of quantum / 256
+/// or have 12 bits, impulses have 11.
 class PackedFacts {
  public:
   explicit PackedFacts(const trace::Header& header);
 
   void add(const trace::Frame& frame);
-  /// Length of the JSON (4 bytes, little-endian), the JSON, the columns. `page` has the page's own
+  /// Length of the JSON (4 bytes, little-endian), the JSON, the integers. `page` has the page's own
   /// keys.
   std::string bytes(nlohmann::ordered_json page) const;
 
  private:
-  template <std::size_t N> using Row = std::array<std::int32_t, N>;
-  struct Column {
-    std::string bytes;
-    int count = 0;
+  template <std::size_t N> using Row = std::array<Last, N>;
+  using Value = std::array<std::int32_t, 3>;
+  struct Leaf {
+    int field;
+    Value value{};
+  };
+  /// The last values of a pair.
+  struct Known {
+    Last follower, steady, gap;
+    std::vector<std::int32_t> layout;
+    std::vector<Row<3>> normals;
+    std::vector<Row<6>> points;
+    std::map<int, std::vector<Row<4>>> leaves;  // of each form
   };
 
-  void put(int column, std::int32_t value, std::int32_t predicted = 0);
-  template <std::size_t N> void put_row(int first, const Row<N>& now, Row<N>& last);
-  int number_of(const std::string& text);
+  void put(int field, int value, int predicted = 0);
+  template <std::size_t N>
+  void put_row(int field, const std::array<std::int32_t, N>& now, std::vector<Row<N>>& rows,
+               int place);
+  int number_of(const char* list, const std::string& text);
+  void take_leaves(nlohmann::ordered_json& node, const std::string& key, std::vector<Leaf>& leaves);
   void add_poses(const trace::Frame& frame);
-  void add_pair(const trace::Pair& pair, const nlohmann::ordered_json& stages);
+  void add_pair(const trace::Pair& pair, nlohmann::ordered_json stages);
+  Value places(const Vec3d& v, double step) const;
 
-  double quantum_;
+  double quantum_, fine_;
   nlohmann::ordered_json json_;
-  std::array<Column, kColumns> columns_;
-  std::map<std::string, int> bodies_, pairs_, texts_;
-  std::vector<Row<7>> last_poses_;
-  std::vector<std::vector<Row<7>>> last_points_;  // of each pair
-  std::vector<Row<3>> last_normals_;
+  Coder coder_{kFields};
+  Row<kFields> last_{};
+  std::map<std::string, int> bodies_, pairs_, counts_;
+  std::map<std::pair<std::string, std::string>, int> numbers_;
+  std::vector<Row<7>> poses_;
+  std::vector<Known> known_;
+  int previous_ = 0;  // pair
 };
 
 }  // namespace contactscope::viewer

@@ -115,7 +115,7 @@ class Facts {
     for (const [name, facts] of Object.entries(other)) {
       const details = make('details', undefined, this.panel);
       make('summary', name.replace(/_/g, ' '), details);
-      make('pre', JSON.stringify(facts, null, 1), details);
+      make('pre', JSON.stringify(facts, (_, x) => typeof x === 'number' ? Number(x.toPrecision(4)) : x, 1), details);
     }
   }
 }

@@ -8,7 +8,7 @@ async function start() {
   for (const finding of data.findings) [finding.index, ...finding.places] = [finding.frame, ...finding.frames || []].map(frame => data.frames.indexOf(frame));
   // Layers of stages are only there with the stages.
   const stage = { reference_face: 'clip', side_planes: 'clip', clip_polygons: 'clip', dropped: 'clip', incident_face: 'clip', candidates: 'reduction', reduced: 'reduction' };
-  data.layers = data.layers.filter(({ name }) => !stage[name] || data.stages.some(stages => stages[stage[name]]));
+  data.layers = data.layers.filter(({ name }) => !stage[name] || data.forms.some(form => form[stage[name]]));
   byId('source').textContent = [data.header.source, [data.header.engine, data.header.version].filter(Boolean).join(' '), data.command].filter(Boolean).join(' \u00b7 ');
 
   const usual = data.layers.filter(layer => layer.on).map(layer => layer.name).join(), { contacts, manifolds } = data, count = (n, word) => n + ' ' + word + (n === 1 ? '' : 's');
@@ -26,8 +26,7 @@ async function start() {
   renderer.setPixelRatio(devicePixelRatio);
   PIXELS.value = new THREE.Vector2(1, 1);
   const orbit = new Orbit(canvas, data.header.up === 'z', () => { dirty = true; link(); });
-  const bodies = new Bodies(scene), layers = new Layers(scene, bodies), facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go);
-  const crowd = data.shapes.length > 12;  // bodies are opaque
+  const bodies = new Bodies(scene, data.shapes.length > 12), layers = new Layers(scene, bodies), facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go, css);
 
   function paint() {
     document.documentElement.dataset.theme = theme();
@@ -52,7 +51,7 @@ async function start() {
     if (data.camera) {
       const { eye, forward, height, perspective } = data.camera, depth = orbit.target.clone().sub(point3(eye)).dot(point3(forward));
       orbit.lookFrom(forward.map(x => -x));
-      if (!crowd && depth > 0) {  // as in the picture
+      if (!bodies.opaque && depth > 0) {  // as in the picture
         orbit.target.copy(point3(eye)).addScaledVector(point3(forward), depth);
         orbit.distance = 1.15 * height * (perspective ? depth : 1) / (2 * Math.tan(FIELD / 2));
       }
@@ -63,10 +62,10 @@ async function start() {
   function refresh() {
     const { frame, selection } = state, chosen = !selection ? [] : selection.pair === undefined ? [selection.body] : data.pairs[selection.pair].slice(0, 2);
     bodies.place(frame);
-    bodies.draw(state.on.has('shapes'), crowd, new Set(chosen));
+    bodies.draw(state.on.has('shapes'), new Set(chosen));
     labels = layers.draw(frame, state.on, selection, foundRecords);
     facts.show(selection, frame);
-    timeline.draw(frame, found, css);
+    timeline.draw(frame, found);
     document.title = byId('title').textContent = data.titles[frame] || data.title;
     byId('moment').textContent = 'frame ' + data.frames[frame] + ', ' + data.times[frame].toFixed(3) + ' s';
     byId('note').textContent = [layers.crowd ? 'larger dots: deeper overlap' : layers.factor > 1 && data.totals.overlap[frame] ? 'lines of overlap: \u00d7 ' + layers.factor : '',
@@ -108,6 +107,7 @@ async function start() {
     if (canvas.width !== Math.floor(wide * devicePixelRatio) || canvas.height !== Math.floor(high * devicePixelRatio)) renderer.setSize(wide, high, false);
     PIXELS.value.set(wide, high);
     orbit.place(wide, high, bodies.reach);
+    bodies.sort(orbit.camera.position);
     renderer.setClearColor(new THREE.Color(css('ground')));
     renderer.render(scene, orbit.camera);
     showLabels();
@@ -197,8 +197,10 @@ async function start() {
   }
   byId('search').addEventListener('submit', event => {
     event.preventDefault();
-    search(byId('expression').value);
-    if (found.length) go(found.find(frame => frame > state.frame) ?? found[0]);
+    // Like in an editor: a new search stays where it is if that is found, and the same one again goes on.
+    const text = byId('expression').value, isNew = text !== state.find;
+    search(text);
+    if (found.length) go(found.find(frame => frame > state.frame || isNew && frame === state.frame) ?? found[0]);
   });
   byId('expression').title = 'Words: ' + Object.keys(data.quantities).join(', ') + '; previous.points, of the frame before';
   byId('findings').hidden = !data.findings.length;
@@ -276,7 +278,7 @@ async function start() {
 
   read();
   requestAnimationFrame(draw);
-  window.contactscope = { data, state, orbit, layers, bodies, quantities: Object.keys(QUANTITIES), hash, onScreen, select, search, go, draw: () => { dirty = true; } };  // for tests and the console
+  window.contactscope = { data, state, orbit, layers, bodies, quantities: Object.keys(QUANTITIES), hash, onScreen, select, search, go, stagesOf, draw: () => { dirty = true; } };  // for tests and the console
   document.documentElement.dataset.ready = 'yes';
 }
 

@@ -8,32 +8,40 @@ const setAttribute = (geometry, name, array, size, instanced) => {
   return attribute;
 };
 
-/** Buffers that grow: push() rows, then flush() them. */
+/** Buffers that grow: push() rows, then flush() them. A row is one vertex, or the four of a quad: instances would be slower without a GPU. */
 class Marks {
   /** `sizes`: numbers of a row, by attribute. */
-  constructor(object, order, sizes, instanced) {
+  constructor(object, order, sizes, isQuad) {
     Object.assign(object, { frustumCulled: false, renderOrder: order });
-    Object.assign(this, { object, sizes, instanced, rows: 0, room: 0 });
+    Object.assign(this, { object, sizes, copies: isQuad ? 4 : 1, rows: 0, room: 0 });
     this.grow(256);
   }
   grow(room) {
-    const geometry = this.object.geometry;
+    const { object: { geometry }, copies } = this;
     for (const [name, size] of Object.entries(this.sizes)) {
-      const array = new Float32Array(room * size);
+      const array = new Float32Array(room * copies * size);
       if (this.room) array.set(geometry.attributes[name].array);
-      setAttribute(geometry, name, array, size, this.instanced);
+      setAttribute(geometry, name, array, size);
+    }
+    if (copies > 1) {
+      geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from({ length: 8 * room }, (_, i) => [0, -1, 0, 1, 1, -1, 1, 1][i % 8]), 2));
+      geometry.setIndex(new THREE.BufferAttribute(Uint32Array.from({ length: 6 * room }, (_, i) => 4 * Math.floor(i / 6) + [0, 1, 2, 2, 1, 3][i % 6]), 1));
     }
     this.room = room;
   }
   push(values) {
     if (this.rows === this.room) this.grow(2 * this.room);
-    for (const name in this.sizes) this.object.geometry.attributes[name].array.set(values[name], this.rows * this.sizes[name]);
+    for (const name in this.sizes) {
+      const size = this.sizes[name], { array } = this.object.geometry.attributes[name], at = this.rows * this.copies * size;
+      array.set(values[name], at);
+      for (let i = 1; i < this.copies; ++i) array.copyWithin(at + i * size, at, at + size);
+    }
     ++this.rows;
   }
   flush() {
-    for (const name in this.sizes) this.object.geometry.attributes[name].needsUpdate = true;
-    if (this.instanced) this.object.geometry.maxInstancedCount = this.rows;
-    else this.object.geometry.setDrawRange(0, this.rows);
+    const { geometry } = this.object;
+    for (const name in this.sizes) Object.assign(geometry.attributes[name], { needsUpdate: true }).updateRange.count = this.rows * this.copies * this.sizes[name];
+    geometry.setDrawRange(0, this.rows * (this.copies > 1 ? 6 : 1));
     this.object.visible = this.rows > 0;
   }
 }
@@ -43,10 +51,7 @@ const shader = (vertexShader, fragmentShader, more) => new THREE.ShaderMaterial(
 /** Segments; the head of an arrow is one that gets thinner. */
 class Lines extends Marks {
   constructor(order) {
-    const geometry = new THREE.InstancedBufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array([0, -1, 0, 0, 1, 0, 1, -1, 0, 1, 1, 0]), 3));
-    geometry.setIndex([0, 1, 2, 2, 1, 3]);
-    super(new THREE.Mesh(geometry, shader(`
+    super(new THREE.Mesh(new THREE.BufferGeometry(), shader(`
       uniform vec2 pixels; attribute vec3 from, to, wide; attribute vec4 tint; varying vec4 vTint; varying vec2 vDash;
       void main() {
         // A little nearer than the surfaces on which they are.

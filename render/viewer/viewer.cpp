@@ -83,11 +83,26 @@ ordered_json finding_json(const lint::Finding& finding) {
   return json;
 }
 
-/// Compressed, as a text that is safe in HTML.
+/// Compressed, as a text that is safe in HTML: each 13 bits as two of 91 characters.
 std::string packed(std::string_view bytes) {
-  const Bytes stream =
-      zlib_stream({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, 9);
-  return base64({reinterpret_cast<const char*>(stream.data()), stream.size()});
+  std::string text;
+  const auto put = [&](unsigned digit) {
+    text += static_cast<char>(digit + (digit > 24 ? 36 : 35));
+  };
+  unsigned bits = 0, count = 0;
+  for (const std::uint8_t byte :
+       zlib_stream({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, 9)) {
+    bits |= unsigned{byte} << count;
+    count += 8;
+    if (count < 13) continue;
+    put((bits & 8191) % 91);
+    put((bits & 8191) / 91);
+    bits >>= 13;
+    count -= 13;
+  }
+  if (count > 0) put(bits % 91);
+  if (count > 6) put(bits / 91);
+  return text;
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ const isReady = async () => (await evaluate("document.documentElement.dataset.re
 while (!await isReady()) await new Promise(done => setTimeout(done, 30));
 await evaluate('new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))');
 const { result, exceptionDetails } = await evaluate('(() => {' + script + '})()');
-process.stdout.write(JSON.stringify(exceptionDetails ? { error: exceptionDetails.exception.description } : result.value));
-chromium.kill();
-process.exit(0);
+process.stdout.write(JSON.stringify(exceptionDetails ? { error: exceptionDetails.exception.description } : result.value), () => {
+  chromium.kill();
+  process.exit(0);
+});

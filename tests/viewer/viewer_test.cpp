@@ -2,61 +2,14 @@
 
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-
-#include "draw/crate_on_slab.h"
 #include "find/finder.h"
-#include "support/temporary_folder.h"
+#include "viewer/in_chromium.h"
 
 namespace contactscope::viewer {
 namespace {
 
-using draw::crate_sample::CrateOnSlab;
-using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
-
-/// Twelve frames: the crate rises by a millimetre a frame and leaves the slab after the third. In
-/// frame 3 the normal turns.
-CrateOnSlab rising() {
-  CrateOnSlab scene;
-  scene.header.title = "A crate </script><script>document.title = \"broken\"</script>";
-  scene.header.shapes[1].name = scene.frames[0].poses[1].first = scene.frames[0].pairs[0].b =
-      "crate <b>&amp;";
-  scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Normals};
-  const trace::Frame first = scene.frames[0];
-  scene.frames.clear();
-  for (int i = 0; i < 12; ++i) {
-    trace::Frame& frame = scene.frames.emplace_back(first);
-    frame.frame = 3 * i;
-    frame.time = 0.02 * i;
-    frame.poses[1].second.position.y() += 0.001 * i;
-    trace::Pair& pair = frame.pairs[0];
-    for (trace::Point& point : pair.manifolds[0].points) {
-      point.separation += 0.001 * i;
-      point.position.x() *= 1 - 0.01 * i;
-      point.impulse = trace::Impulse{.normal = 1.25 * i};
-    }
-    pair.separation = pair.manifolds[0].points[0].separation;
-    if (i == 1) pair.manifolds[0].normal = Vec3d(0.6, 0.8, 0);
-    if (i > 3) pair.manifolds.clear();
-    if (i > 3) pair.state = "separated";
-  }
-  scene.header.frames = 12;
-  return scene;
-}
-
-std::string page_of(const CrateOnSlab& scene) {
-  const draw::Staging staging = scene.staged();
-  PictureOrigin origin;
-  origin.scenario = "mine/crate";
-  origin.command = "contactscope render mine/crate --format viewer";
-  Viewer viewer(staging, origin);
-  for (const trace::Frame& frame : scene.frames) viewer.add(frame);
-  return viewer.html();
-}
 
 TEST(Viewer, FetchesNothingAndNamesOfATraceAreNoMarkup) {
   const std::string html = page_of(rising());
@@ -68,42 +21,6 @@ TEST(Viewer, FetchesNothingAndNamesOfATraceAreNoMarkup) {
   }
   EXPECT_EQ(html, page_of(rising()));
 }
-
-/// The page in headless Chromium.
-class InChromium : public testing::Test {
- protected:
-  void SetUp() override {
-    if (three_script().empty())
-      GTEST_SKIP() << "three.js is not installed (apt-get install libjs-three)";
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-      if (std::system((std::string("command -v ") + name + " > /dev/null").c_str()) == 0)
-        chromium_ = name;
-    if (std::system("command -v node > /dev/null") != 0) GTEST_SKIP() << "node is not installed";
-    if (chromium_.empty()) GTEST_SKIP() << "Chromium is not installed (apt-get install chromium)";
-  }
-
-  /// The result of a script that runs in the page when it is drawn.
-  json result(const std::string& script, const CrateOnSlab& scene = rising()) const {
-    const std::string page = folder_.write("page.html", page_of(scene));
-    const std::string command =
-        "timeout 120 node '" CONTACTSCOPE_VIEWER_TESTS "/in_chromium.mjs' " + chromium_ +
-        " 'file://" + page + "#frame=6&find=points+%3E+1' '" + (folder_ / "profile") + "' < '" +
-        folder_.write("script.js", script) + "'";
-    FILE* const pipe = popen(command.c_str(), "r");
-    std::string text;
-    std::array<char, 4096> buffer;
-    for (std::size_t count; pipe && (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-      text.append(buffer.data(), count);
-    if (pipe) pclose(pipe);
-    const json answer = json::parse(text, nullptr, false);
-    EXPECT_TRUE(answer.is_object()) << text;
-    return answer.is_object() ? answer : json{{"error", "the page did not answer"}};
-  }
-
- private:
-  std::string chromium_;
-  TemporaryFolder folder_;
-};
 
 TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   const json page = result(R"(
@@ -156,14 +73,16 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
       for (const trace::Point& point : manifold.points) {
         const json& shown = page["points"].at(i++);
         for (int k = 0; k < 3; ++k)
-          EXPECT_NEAR(shown[static_cast<std::size_t>(k)].get<double>(), point.position[k], 1e-4);
-        EXPECT_NEAR(shown[3].get<double>(), point.separation, 3e-7);
+          EXPECT_NEAR(shown[static_cast<std::size_t>(k)].get<double>(), point.position[k],
+                      kPlaceError);
+        EXPECT_NEAR(shown[3].get<double>(), point.separation, fine(point.separation));
         EXPECT_NEAR(shown[4].get<double>(), point.impulse->normal, 5e-4 * point.impulse->normal);
         EXPECT_EQ(shown[5], point.id);
       }
   EXPECT_EQ(page["points"].size(), i);
   EXPECT_NEAR(page["pose"][1].get<double>(), scene.frames[11].poses[1].second.position.y(), 1e-4);
-  EXPECT_NEAR(page["separation"].get<double>(), scene.frames[11].pairs[0].separation, 3e-7);
+  const double separation = scene.frames[11].pairs[0].separation;
+  EXPECT_NEAR(page["separation"].get<double>(), separation, fine(separation));
   EXPECT_EQ(page["start"], 2);
   EXPECT_EQ(page["found"], "4 records in 4 frames");
   EXPECT_EQ(page["clicked"].dump(), R"({"pair":0,"point":"b:v4"})");
@@ -181,6 +100,24 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_EQ(page["search"][0], "1 record in 1 frame");
   EXPECT_THAT(page["search"][1].get<std::string>(), HasSubstr("frame 3: slab and crate <b>&amp;"));
   EXPECT_THAT(page["wrong"].get<std::string>(), HasSubstr("a quantity is missing at the end"));
+}
+
+TEST_F(InChromium, SearchStaysAtAFrameThatIsFoundAndGoesOnIfRepeated) {
+  const json page = result(R"(
+    const { data, state, go } = contactscope, expression = document.getElementById('expression');
+    const enter = text => {
+      expression.value = text;
+      document.getElementById('search').requestSubmit();
+      return data.frames[state.frame];
+    };
+    const seen = [];
+    go(1);
+    for (const text of ['points > 0', 'points > 0', 'points > 0', 'points > 0', 'points > 1', 'points == 0', 'points == 0', 'points == 7', 'points ==', 'points == 0'])
+      seen.push(enter(text));
+    return { seen };)");
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  // Points are in frames 0 to 9, every third one. What is found nowhere, or is wrong, moves nothing.
+  EXPECT_EQ(page["seen"].dump(), "[3,6,9,0,0,12,15,15,15,15]");
 }
 
 TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
