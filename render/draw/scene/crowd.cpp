@@ -148,6 +148,14 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
                        behind ? "contact point, pale behind a body" : "contact point");
     }
   }
+  // The label of the marked pair names its bodies.
+  for (const std::string& name : scene.view.focus_on) {
+    const PlacedShape* const shape = scene.find(name);
+    const bool is_named = marked != nullptr && (name == marked->a || name == marked->b);
+    if (is_named || shape == nullptr || !in_view(scene.camera, *shape)) continue;
+    sketch.begin(name_of(Layer::Names), name);
+    sketch.label(place_of_name(scene.camera, *shape), name_in_words(name), kText, 16, 0);
+  }
   if (!sized) return;
   number_pairs(scene, marked, sketch);
   if (marked == nullptr) return;
