@@ -178,17 +178,12 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     outlines.emplace_back(seen_outline(camera, shape), &shape);
   const double pixel = scene.scales.pixel;
   const float size = static_cast<float>(pixel) * kNameSize;
-  // One of several copies, of which the frame has no other, has its whole name.
-  const auto count_of_kind = [&](const auto& shapes, const std::string& kind, const auto& name_of) {
-    return std::ranges::count_if(
-        shapes, [&](const auto& shape) { return kind_in_words(name_of(shape)) == kind; });
-  };
+  // A copy has its whole name if the frame has no other copy.
   const auto is_one_of_several = [&](const Named& each) {
-    return !scene.view.side_by_side &&
-           count_of_kind(scene.shapes, each.words, [](auto& one) { return one.traced().name; }) <
-               std::min<std::ptrdiff_t>(
-                   2, count_of_kind(
-                          scene.header.shapes, each.words, [](auto& one) { return one.name; }));
+    const auto is_alike = [&](const auto& name) { return kind_in_words(name) == each.words; };
+    const auto placed = [](const PlacedShape& shape) { return shape.traced().name; };
+    return !scene.view.side_by_side && std::ranges::count_if(scene.shapes, is_alike, placed) == 1 &&
+           std::ranges::count_if(scene.header.shapes, is_alike, &trace::Shape::name) > 1;
   };
   for (const Named& each : named) {
     if (each.copies > kMaxCopies) continue;

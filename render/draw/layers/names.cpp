@@ -24,16 +24,12 @@ Vec3d nearest_corner(const Camera& camera, const std::vector<Vec3d>& corners) {
   return nearest;
 }
 
-}  // namespace
-
-Vec3d place_of_name(const Camera& camera, const PlacedShape& shape) {
+Vec3d place_of(const Camera& camera, const PlacedShape& shape) {
   if (shape.mesh->patch)
     return nearest_corner(camera, patch_corners(*shape.mesh->patch, shape.pose));
   if (shape.is_mesh()) return nearest_corner(camera, shape.vertices);
   return box_around(shape.vertices).center();
 }
-
-namespace {
 
 // Among many shapes only those in contact are named, which titles and panels mention. In a heap only
 // the pair that stands out has names; see draw_crowd().
@@ -43,7 +39,7 @@ void draw_names(const Scene& scene, Sketch& sketch) {
   const std::vector<bool> touches = shapes_in_contact(scene.meshes, scene.frame);
   for (const PlacedShape& shape : scene.shapes)
     if (in_view(scene.camera, shape) && (scene.shapes.size() <= kMaxNames || touches[shape.place]))
-      sketch.label(place_of_name(scene.camera, shape), shape.traced().name, kText,
+      sketch.label(place_of(scene.camera, shape), shape.traced().name, kText,
                    scene.shapes.size() > 8 ? kSmallName : 16, 0);
 }
 

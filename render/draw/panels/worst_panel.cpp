@@ -77,7 +77,7 @@ class WorstPanel : public PanelContent {
     return shown;
   }
 
-  /// Of a ranking, pixels.
+  /// Height of a ranking, pixels.
   float height_of(std::size_t rows) const {
     return static_cast<float>(rows + 1) * Sheet::line_height(scale_) + kBetweenRankings * scale_;
   }
@@ -90,18 +90,18 @@ class WorstPanel : public PanelContent {
   std::size_t divide(std::vector<Ranked>& all, const Sheet& sheet) const {
     constexpr double kWholePixels = 1;  // a panel's area is cut to whole pixels
     const std::size_t count = all.size();
-    const auto fits = [&](float note = 0) {
-      for (const Ranked& one : all) note += height_of(one.rows);
-      return static_cast<double>(note) <= sheet.rest().height + kWholePixels;
+    const auto fits = [&] {
+      float height = all.size() < count ? sheet.line_height() : 0;  // of the note
+      for (const Ranked& one : all) height += height_of(one.rows);
+      return static_cast<double>(height) <= sheet.rest().height + kWholePixels;
     };
     all.front().rows = std::max<std::size_t>(all.front().pairs.size(), 1);
-    while (all.size() > 1 && !fits(all.size() < count ? sheet.line_height() : 0)) all.pop_back();
-    const float note = all.size() < count ? sheet.line_height() : 0;
+    while (all.size() > 1 && !fits()) all.pop_back();
     for (std::size_t rows = 2; rows <= kRankedRows; ++rows)
       for (std::size_t i = 1; i < all.size(); ++i) {
         if (all[i].rows + 1 != rows || rows > all[i].pairs.size()) continue;
         ++all[i].rows;
-        if (!fits(note)) --all[i].rows;
+        if (!fits()) --all[i].rows;
       }
     return count - all.size();
   }

@@ -69,7 +69,4 @@ void draw_crowd(const Scene& scene, Sketch& sketch);
 /// Whether part of the shape is in the picture. Always true for planes and meshes.
 bool in_view(const Camera& camera, const PlacedShape& shape);
 
-/// Where the name of a shape is written; defined by the layer `names`.
-Vec3d place_of_name(const Camera& camera, const PlacedShape& shape);
-
 }  // namespace contactscope::draw
