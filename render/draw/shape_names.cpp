@@ -56,7 +56,14 @@ std::vector<Vec2d> seen_outline(const Camera& camera, const PlacedShape& shape) 
   } else {
     points = extent_points(shape);
   }
-  return outline_around(camera, points);
+  const auto is_behind = [&](const Vec3d& point) { return !camera.project(point); };
+  if (shape.mesh->patch || shape.is_mesh() || std::ranges::none_of(points, is_behind))
+    return outline_around(camera, points);
+  std::vector<Vec2d> seen;  // of faces that the camera's plane cuts
+  for (int f = 0; f < count_of(shape.mesh->normals); ++f)
+    for (const Point2& corner : project_polygon(camera, shape.polygon(f)))
+      seen.emplace_back(corner.x, corner.y);
+  return seen.size() < 3 ? Outline() : convex_polygon(std::move(seen));
 }
 
 /// Depth of a point inside a convex polygon with the winding of convex_polygon(); negative outside.
@@ -171,6 +178,13 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     outlines.emplace_back(seen_outline(camera, shape), &shape);
   const double pixel = scene.scales.pixel;
   const float size = static_cast<float>(pixel) * kNameSize;
+  // A copy has its whole name if the frame has no other copy.
+  const auto is_one_of_several = [&](const Named& each) {
+    const auto is_alike = [&](const auto& name) { return kind_in_words(name) == each.words; };
+    const auto placed = [](const PlacedShape& shape) { return shape.traced().name; };
+    return !scene.view.side_by_side && std::ranges::count_if(scene.shapes, is_alike, placed) == 1 &&
+           std::ranges::count_if(scene.header.shapes, is_alike, &trace::Shape::name) > 1;
+  };
   for (const Named& each : named) {
     if (each.copies > kMaxCopies) continue;
     const bool has_role = each.of_a != each.of_b && names_roles;
@@ -178,7 +192,11 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     // A name on one of several copies would seem to belong to that copy alone.
     if (each.copies > 1 && !has_role) continue;
     const std::string role = !has_role ? "" : each.of_a ? "A" : "B";
-    const std::string text = roles_alone ? role : role + (has_role ? ": " : "") + each.words;
+    const std::string text =
+        roles_alone
+            ? role
+            : role + (has_role ? ": " : "") +
+                  (is_one_of_several(each) ? name_in_words(each.shape->traced().name) : each.words);
     const auto own = std::ranges::find(outlines, each.shape,
                                        &std::pair<std::vector<Vec2d>, const PlacedShape*>::second);
     const double area = std::abs(area_of(own->first));
@@ -190,9 +208,9 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
     const Vec2d half(0.5 * text_width(text, size, FontWeight::Bold) + 2 * pixel, 0.5 * size);
     const Color ink = each.shape->is_a ? kArcOfA : kArcOfB;
     // World position behind a screen position, at the depth of the shape.
-    const Vec3d at = each.shape->mesh->patch || each.shape->vertices.empty()
-                         ? sketch.center
-                         : Vec3d(each.shape->pose.transform(each.shape->traced().center_of_mass));
+    Vec3d at = each.shape->pose.transform(each.shape->traced().center_of_mass);
+    if (each.shape->mesh->patch || each.shape->vertices.empty() || !camera.project(at))
+      at = sketch.center;
     const std::optional<Point2> foot = camera.project(at);
     if (!foot) continue;
     const auto in_world = [&](const Vec2d& pixels) -> Vec3d {

@@ -100,6 +100,65 @@ void settle_words(const trace::Header& expected, trace::Header& actual,
   actual.frames = expected.frames;
 }
 
+/// The largest change of a point: of its impulse in newton seconds, or of its place in metres.
+double change_of(const trace::Pair& before, const trace::Pair& now, bool is_of_solver) {
+  std::array<std::vector<Vec3d>, 2> values;
+  for (const trace::Pair* const pair : {&before, &now})
+    for (const trace::Manifold& manifold : pair->manifolds)
+      for (const trace::Point& point : manifold.points) {
+        const trace::Impulse impulse = point.impulse.value_or(trace::Impulse{});
+        const Vec3d acts = impulse.normal * manifold.normal + impulse.friction;
+        const Vec3d place = point.position + point.separation * manifold.normal;
+        values[pair == &now ? 1 : 0].push_back(is_of_solver ? acts : place);
+      }
+  double most = 0;
+  for (std::size_t i = 0; i < std::min(values[0].size(), values[1].size()); ++i)
+    most = std::max(most, (values[1][i] - values[0][i]).norm());
+  return most;
+}
+
+/// The pair, or the shape with another pose, that differs most of those that differ in the stage
+/// of the parting. Their values have one unit, so that the size of the quantity does not matter.
+/// Counts the pairs that differ.
+std::string most_different(RunComparison& runs) {
+  std::vector<Difference> all;
+  trace::Frame settled = runs.frames[1];
+  Comparison([](const auto&, const auto&) {
+    return Tolerance{};  // numbers within rounding are equal there
+  }).compare(runs.frames[0], settled, {}, "", all);
+  std::map<std::string, std::array<trace::Pair, 2>> pairs;
+  for (std::size_t i = 0; i < runs.frames.size(); ++i)
+    for (const trace::Pair& pair : runs.frames[i].pairs) pairs[key_of(pair)][i] = pair;
+  const bool is_of_pair = pairs.contains(runs.parting->subject);
+  std::set<std::string> differing;
+  std::string most = runs.parting->subject;
+  double largest = 0;
+  for (const Difference& one : all) {
+    const auto pair = pairs.find(one.subject);
+    const bool is_pair = pair != pairs.end();
+    if (is_pair) differing.insert(one.subject);
+    if (one.stage != runs.parting->stage || is_pair != is_of_pair) continue;
+    const auto* const from = trace::find_pose(runs.frames[0], one.subject);
+    const auto* const to = trace::find_pose(settled, one.subject);
+    double change = from && to ? (to->position - from->position).norm() : 0;
+    if (is_pair) change = change_of(pair->second[0], pair->second[1], one.stage == Stage::Solver);
+    if (change > largest) largest = change, most = one.subject;
+  }
+  runs.more_pairs = differing.size() - std::size_t(is_of_pair ? 1 : 0);
+  return most;
+}
+
+/// Gives frames the solver's settings of other frames.
+void settle_settings(const std::vector<Frame>& model, std::vector<Frame>& frames) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (!model[i].solver || !frames[i].solver) continue;
+    trace::Solver settled = *model[i].solver;
+    settled.bodies = std::move(frames[i].solver->bodies);
+    settled.stops = std::move(frames[i].solver->stops);
+    frames[i].solver = std::move(settled);
+  }
+}
+
 }  // namespace
 
 RunComparison compare_runs(TraceReader& a, TraceReader& b, Workers& workers) {
@@ -110,8 +169,9 @@ RunComparison compare_runs(TraceReader& a, TraceReader& b, Workers& workers) {
   settle_words(expected.header, actual.header, record.notes);
   expected.header.scalar = actual.header.scalar = coarser;
   trace::Trace header = actual;
-  record.parting = compare_and_settle(expected, header).first;
-  std::size_t held = record.parting ? kConsequences : 0;  // bytes
+  record.header = compare_and_settle(expected, header).first;
+  actual.header = expected.header;  // so that the frames are compared alone
+  std::size_t held = 0;             // bytes
   // Each thread compares frames in traces of its own.
   std::vector<std::array<trace::Trace, 2>> single(static_cast<std::size_t>(workers.count()),
                                                   {expected, expected});
@@ -171,10 +231,29 @@ RunComparison compare_runs(TraceReader& a, TraceReader& b, Workers& workers) {
     }
   }
   if (expected.frames.empty()) return record;
-  record.parting = compare_and_settle(expected, actual).first;
+  const auto part = [&] { return compare_and_settle(expected, actual).first; };
+  record.parting = part();
+  if (record.parting && record.parting->stage == Stage::Solver && record.parting->subject.empty()) {
+    settle_settings(expected.frames, actual.frames);
+    record.setting = std::exchange(record.parting, part());
+    record.setting->chain = record.setting->what;
+  }
+  if (!record.parting) return record;
   const auto is_first = [&](const Frame& frame) { return frame.frame == record.parting->frame; };
-  record.frames = {*std::ranges::find_if(expected.frames, is_first),
-                   *std::ranges::find_if(actual.frames, is_first)};
+  Frame& before = *std::ranges::find_if(expected.frames, is_first);
+  Frame& now = *std::ranges::find_if(actual.frames, is_first);
+  record.frames = {before, now};
+  if (const std::string most = most_different(record); most != record.parting->subject) {
+    for (Frame* frame : {&before, &now}) {
+      std::stable_partition(frame->poses.begin(), frame->poses.end(),
+                            [&](auto& entry) { return entry.first == most; });
+      std::stable_partition(frame->pairs.begin(), frame->pairs.end(),
+                            [&](auto& entry) { return key_of(entry) == most; });
+    }
+    record.parting = part();
+  }
+  std::string& chain = record.parting->chain;
+  if (chain.ends_with(" pairs differ in it")) chain.resize(chain.rfind("; "));
   for (const Frame& frame : record.frames)
     for (const trace::Pair& pair : frame.pairs)
       if (key_of(pair) == record.parting->subject) record.a = pair.a, record.b = pair.b;

@@ -57,6 +57,8 @@ Thing thing_of(const Difference& difference) {
     return is_another ? Thing{"incident face", "incident faces"}
                       : Thing{"position of the incident face", "positions of incident faces"};
   }
+  if (difference.stage == Stage::Solver && difference.text.find("impulse ") != std::string::npos)
+    return {"impulse", "impulses"};
   if (difference.stage == Stage::Points && difference.text.starts_with("persistent"))
     return {"persistent point", "persistent points"};
   return kThings[static_cast<std::size_t>(difference.stage)];
@@ -114,12 +116,13 @@ std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
     const bool is_named =
         &difference == origin.record || (origin.flip && origin.flip->says(difference));
     if (!is_named && difference.stage >= origin.stage) {
-      if (const Thing thing = thing_of(difference); thing.one) add(difference.stage, thing);
+      if (const Thing thing = thing_of(difference); thing.one)
+        add(difference.stage, thing, thing.one == std::string("impulse") ? points : 0);
     }
     const bool is_kept = difference.stage == Stage::Points || difference.stage == Stage::Ids;
     if (is_kept && has_id(difference) && origin.stage < Stage::Ids)
       add(Stage::Ids, {"id", "ids"}, points);
-    if (has_impulse(difference) && origin.stage < Stage::Solver)
+    if (has_impulse(difference) && difference.stage < Stage::Solver)
       add(Stage::Solver, {"impulse", "impulses"}, points);
   }
   std::ranges::stable_sort(effects, {}, &Effect::stage);

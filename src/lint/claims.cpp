@@ -56,10 +56,16 @@ class WorstProblem {
  public:
   explicit WorstProblem(Verdict& verdict) : verdict_(verdict) {}
 
-  void claim(const Problem& problem, double off, double allowed) {
+  /// The allowed error is so many tolerances and `more`, at least `least`.
+  void claim(const Problem& problem, double off, double tolerances, double more = 0,
+             double least = 0) {
+    const auto is_wrong = [&](double tolerance) {
+      return !(off <= std::max(tolerances * tolerance + more, least));  // nan counts as wrong
+    };
     ++verdict_.claims;
-    if (off <= allowed) return;  // nan counts as wrong
+    if (!is_wrong(verdict_.tolerance)) return;
     ++verdict_.wrong;
+    verdict_.beyond += is_wrong(verdict_.allowed);
     const bool is_first = !verdict_.worst || problem.kind < verdict_.worst->kind;
     const bool is_farther =
         !is_first && problem.kind == verdict_.worst->kind && off > verdict_.farthest;
@@ -89,6 +95,23 @@ Measured measure(const Placed& solid, const Vec3d& point, const Vec3d& outward, 
   measured.more_by_core = *by_core - *measured.exit;
   if (distance < 0) measured.off = std::min(measured.off, std::abs(*by_core) - std::abs(said));
   return measured;
+}
+
+/// A point that an engine keeps while its bodies slide is between a point of a and one of b. If these
+/// are on the surfaces, and near each other, what is said of the point is measured at them.
+void measure_kept(const Placed& a, const Placed& b, const std::array<Vec3d, 2>& on,
+                  const Vec3d& position, const Vec3d& normal, double said, double tolerance,
+                  Measured& of_a, Measured& of_b) {
+  constexpr double kMaxBetween = 15;  // tolerances
+  const Vec3d between = on[1] - on[0];
+  const double along = between.dot(normal);
+  if ((2 * position - on[0] - on[1]).norm() > between.norm() + tolerance ||
+      (between - along * normal).norm() > kMaxBetween * tolerance)
+    return;
+  Measured at_a = measure(a, on[0], normal, 0), at_b = measure(b, on[1], -normal, 0);
+  if (std::max(at_a.off, at_b.off) > tolerance || !at_a.exit || !at_b.exit) return;
+  *at_a.exit -= along;  // the two exits are those at one point
+  if (std::abs(*at_a.exit + *at_b.exit + said) <= tolerance) of_a = at_a, of_b = at_b;
 }
 
 }  // namespace
@@ -144,7 +167,12 @@ double tolerance_of(const Placed& a, const Placed& b) {
 }
 
 double Solids::tolerance_of(const Placed& a, const Placed& b) const {
-  return tolerance > 0 ? tolerance : lint::tolerance_of(a, b);
+  const double own = lint::tolerance_of(a, b);
+  return tolerance > 0 ? std::min(tolerance, own) : own;
+}
+
+double Solids::allowed_for(const Placed& a, const Placed& b) const {
+  return std::max(tolerance, tolerance_of(a, b));
 }
 
 std::optional<Placed> place(const Solids& solids, const trace::Frame* frame,
@@ -183,6 +211,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   if (reading.shape_scale == 1) best = best_separation(*a, *b);
   Verdict verdict;
   verdict.tolerance = solids.tolerance_of(*a, *b);
+  verdict.allowed = solids.allowed_for(*a, *b);
   const double tolerance = verdict.tolerance;
   WorstProblem worst(verdict);
   for (int m = 0; m < count_of(pair.manifolds); ++m) {
@@ -193,27 +222,36 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
     double deepest = std::numeric_limits<double>::infinity();
     for (int p = 0; p < count_of(manifold.points); ++p) {
       const trace::Point& point = at(manifold.points, p);
-      const Vec3d position = in_world(reading.points, *a, *b,
-                                      reading.point_scale * read(point.position, reading.axes));
+      const auto to_world = [&](const Vec3d& record) {
+        return in_world(reading.points, *a, *b, reading.point_scale * read(record, reading.axes));
+      };
+      const Vec3d position = to_world(point.position);
       const double said =
           (reading.separations_negated ? -1 : 1) * reading.separation_scale * point.separation;
       deepest = std::min(deepest, said);
-      const Measured of_a = measure(*a, position, normal, said);
-      const Measured of_b = measure(*b, position, -normal, said);
+      Measured of_a = measure(*a, position, normal, said);
+      Measured of_b = measure(*b, position, -normal, said);
+      const std::optional<Vec3d>& on_a = reading.sides_swapped ? point.on_b : point.on_a;
+      const std::optional<Vec3d>& on_b = reading.sides_swapped ? point.on_a : point.on_b;
+      if (on_a && on_b &&
+          (std::max(of_a.off, of_b.off) > tolerance ||
+           std::abs(of_a.exit.value_or(0) + of_b.exit.value_or(0) + said) > tolerance))
+        measure_kept(*a, *b, {to_world(*on_a), to_world(*on_b)}, position, normal, said, tolerance,
+                     of_a, of_b);
       const double off = std::max(of_a.off, of_b.off);
-      const double roughly = tolerance + kSpeculativeShare * std::max(said, 0.0);
+      const double speculative = kSpeculativeShare * std::max(said, 0.0);
       worst.claim({Wrong::Surface, m, p, std::abs(said), off + std::abs(said),
                    of_a.off > of_b.off ? pair.a : pair.b},
-                  off, roughly);
-      if (of_a.exit && of_b.exit && off <= roughly) {
+                  off, 1, speculative);
+      if (of_a.exit && of_b.exit && off <= tolerance + speculative) {
         // For a leaning capsule every value between its two measures is right.
         const double most = -*of_a.exit - *of_b.exit;
         const double least = most - of_a.more_by_core - of_b.more_by_core;
         const double is = std::clamp(said, std::min(least, most), std::max(least, most));
         verdict.deeper.push_back(is - said);
         verdict.separations.push_back(is);
-        worst.claim({Wrong::Separation, m, p, said, is}, std::abs(is - said),
-                    std::max(roughly, kNormalShare * std::abs(is)));
+        worst.claim({Wrong::Separation, m, p, said, is}, std::abs(is - said), 1, speculative,
+                    kNormalShare * std::abs(is));
       } else if (!of_a.exit || !of_b.exit) {  // the normal does not point out of a plane
         const double infinite = -std::numeric_limits<double>::infinity();
         worst.claim({Wrong::Normal,
@@ -225,16 +263,11 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
                      best ? best->normal : Vec3d::Zero()},
                     1, 0);
       }
-      const std::optional<Vec3d>& on_a = reading.sides_swapped ? point.on_b : point.on_a;
-      const std::optional<Vec3d>& on_b = reading.sides_swapped ? point.on_a : point.on_b;
       const auto on_its_surface = [&](const std::optional<Vec3d>& record, const Placed& solid,
                                       const std::string& name) {
         if (!record) return;
-        const Vec3d where =
-            in_world(reading.points, *a, *b, reading.point_scale * read(*record, reading.axes));
-        const double off_surface = std::abs(solid.distance(where));
-        worst.claim({Wrong::Side, m, p, 0, off_surface, name}, off_surface,
-                    kSideTolerances * tolerance);
+        const double off_surface = std::abs(solid.distance(to_world(*record)));
+        worst.claim({Wrong::Side, m, p, 0, off_surface, name}, off_surface, kSideTolerances);
       };
       on_its_surface(on_a, *a, pair.a);
       on_its_surface(on_b, *b, pair.b);
@@ -244,13 +277,13 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
     const double along = separation_along(*a, *b, normal);
     const bool is_near = normal.dot(best->normal) >= kSameNormal;
     worst.claim({Wrong::Normal, m, 0, along, best->distance, {}, best->normal},
-                is_near ? 0 : best->distance - along,
-                std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(best->distance)));
+                is_near ? 0 : best->distance - along, kNormalTolerances, 0,
+                kNormalShare * std::abs(best->distance));
     // For long shapes the deepest overlap along a slightly wrong normal is outside the patch.
     const double depth = is_near ? best->distance : along;
     if (!pair.reduction && std::isfinite(depth))
-      worst.claim({Wrong::Deepest, m, 0, deepest, depth}, deepest - depth,
-                  std::max(kNormalTolerances * tolerance, kNormalShare * std::abs(depth)));
+      worst.claim({Wrong::Deepest, m, 0, deepest, depth}, deepest - depth, kNormalTolerances, 0,
+                  kNormalShare * std::abs(depth));
   }
   return verdict;
 }

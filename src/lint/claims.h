@@ -33,11 +33,13 @@ struct Problem {
 struct Verdict {
   int claims = 0;  // number of claims tested
   int wrong = 0;
+  int beyond = 0;              // of these, beyond the tolerance that the user gives
   std::optional<Problem> worst{};   // largest error of the first kind that occurs
   double farthest = 0;              // its error, metres
   std::vector<double> deeper{};     // for each point: excess of its reported overlap
   std::vector<double> separations;  // measured, for the same points
   double tolerance = 0;             // metres
+  double allowed = 0;               // likewise, by the user
 };
 
 /// The shapes of a trace by name. Degenerate shapes are left out and listed in `refused`.
@@ -51,8 +53,11 @@ class Solids {
   /// The body of a shape; without one, the shape itself.
   const std::string& body_of(const std::string& name) const;
 
-  /// Allowed error of claims about two shapes, metres: `tolerance`, or tolerance_of() without it.
+  /// Error of claims about two shapes from which causes are sought, metres: lint::tolerance_of(), or
+  /// `tolerance` if that is smaller. A larger one changes no cause, so that it only hides.
   double tolerance_of(const Placed& a, const Placed& b) const;
+  /// Allowed error: at least tolerance_of().
+  double allowed_for(const Placed& a, const Placed& b) const;
 
   std::map<std::string, std::string> refused;  // reasons by name
   double tolerance = 0;                        // metres; 0: not given

@@ -27,19 +27,7 @@ constexpr double kFar = 1000;  // tolerances: twice the size of the smaller shap
 /// A shape has the wrong size if this share of its pairs fits another one.
 constexpr double kOfShape = 0.5;
 constexpr int kListed = 4;  // more such shapes are only counted
-/// Values, each with the number of its occurrences.
-using Counted = std::vector<std::pair<double, int>>;
 using Names = std::pair<std::string, std::string>;
-
-/// The median.
-double middle_of(Counted& values) {
-  std::ranges::sort(values);
-  int all = 0, below = 0;
-  for (const auto& [value, times] : values) all += times;
-  for (const auto& [value, times] : values)
-    if ((below += times) > all / 2) return value;
-  return 0;
-}
 
 /// The amount if all points are off by the same amount beyond the tolerance; else 0.
 double common_depth(const Verdict& verdict) {
@@ -133,6 +121,8 @@ class ClaimsWatch final : public Watch {
     wrong.gross = !(verdict->farthest <= kGross * verdict->tolerance);
     wrong.severe =
         !(verdict->farthest <= kSevere * verdict->tolerance) && wrong.problem.kind <= Wrong::Side;
+    wrong.beyond = verdict->beyond > 0;
+    wrong.grossly_beyond = wrong.beyond && !(verdict->farthest <= kGross * verdict->allowed);
     put_in_words(pair, wrong);
     Reading flipped;
     flipped.normals_flipped = true;
@@ -189,29 +179,34 @@ class ClaimsWatch final : public Watch {
     }
   }
 
-  /// The wrong pairs that are not reported yet and that fit; without a place if there are none.
+  /// The wrong pairs that are not reported yet and that fit; without a place if there are none. Those
+  /// within the user's tolerance take part in the search of causes, but are not counted.
   template <class Fits>
   Finding gathered(const std::string& cause, const std::string& what, const std::string& remedy,
                    const Fits& fits) {
     Finding finding{cause, what, remedy, 0, judged_};
     const WrongPair* first = nullptr;
     Marks marks;
+    all_gathered_ = 0, is_enough_ = false;
+    const auto level = [](const WrongPair& of) { return 3 * of.beyond + of.gross + of.severe; };
     for (const WrongPair& wrong : wrong_) {
       if (wrong.record || !fits(wrong) || options_.ignores(cause, wrong.a, wrong.b)) continue;
+      all_gathered_ += wrong.times, is_enough_ = is_enough_ || wrong.gross;
+      if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
+      if (!wrong.beyond) continue;
       finding.count += wrong.times;
       add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
-      const auto level = [](const WrongPair& of) { return of.gross + of.severe; };
-      if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
-      if (wrong.gross) finding.gross = std::max(finding.gross, wrong.size);
+      if (wrong.grossly_beyond) finding.gross = std::max(finding.gross, wrong.size);
     }
     if (first == nullptr) return finding;
+    is_enough_ = is_enough_ || all_gathered_ >= kOften * judged_;
     finding.is_severe = first->severe;
     finding.line = first->line, finding.frame = first->frame;
     finding.a = first->a, finding.b = first->b;
     finding.said = first->said, finding.is = first->is;
     finding.size = first->size;
     finding.marks = marks.kept();
-    if (!first->gross && finding.count < kOften * judged_) finding.below = kFewAndSmall;
+    if (finding.gross == 0 && finding.count < kOften * judged_) finding.below = kFewAndSmall;
     return finding;
   }
 
@@ -291,12 +286,15 @@ class ClaimsWatch final : public Watch {
     std::vector<Finding> named;
     for (const Mistake* mistake : all[e].made)
       named.push_back(gathered(mistake->name, mistake->what, mistake->remedy, is_explained));
-    if (!named.front().below.empty()) return false;
+    if (!is_enough_) return false;
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || is_explained(wrong);
     for (Finding& one : named) {
+      one.below.clear();
       const auto same = std::ranges::find(findings, one.cause, &Finding::cause);
       if (same == findings.end()) {
-        if (one.count > 0) findings.push_back(std::move(one));
+        if (all_gathered_ > 0) findings.push_back(std::move(one));
+      } else if (same->count == 0) {
+        *same = std::move(one);
       } else if (same->line > 0) {
         same->count += one.count;
       }
@@ -366,7 +364,7 @@ class ClaimsWatch final : public Watch {
     finding.of = judged_of_[best.shape];
     const auto same = std::ranges::find(findings, finding.cause, &Finding::cause);
     if (same == findings.end()) {
-      if (finding.count > 0) findings.push_back(std::move(finding));
+      if (all_gathered_ > 0) findings.push_back(std::move(finding));
     } else {
       same->count += finding.count, same->of += finding.of;
       if (std::ranges::count(same->what, ',') < kListed)
@@ -395,7 +393,7 @@ class ClaimsWatch final : public Watch {
               "'radius' too), or find where it is added twice"
             : "the engine subtracts a margin, or shrinks a shape: write the shapes as they collide",
         has_margin);
-    const int count = finding.count;
+    const int count = all_gathered_;
     // A single misplaced body has a depth too.
     const std::set<Names> pairs = pairs_of(has_margin);
     if (count < kOfWrong * wrong_.untold() || (count < kNoChance && 2 * count < judged_) ||
@@ -434,6 +432,8 @@ class ClaimsWatch final : public Watch {
   std::set<std::string> moved_;     // shapes that did not stand still in some frame
   WrongPairs wrong_;
   std::bitset<kMaxExplanations> has_explained_;
+  int all_gathered_ = 0;    // by the last gathered(), within the tolerance or not
+  bool is_enough_ = false;  // whether these are so many or so wrong that they have a cause
 };
 
 }  // namespace

@@ -49,6 +49,7 @@ struct Jump {
   int frames = 1;           // since `before`
   double moved = 0;         // metres, b as seen from a, since `before`
   double turned = 0;        // radians, likewise
+  bool beyond = true;       // the tolerance that the user gives
 };
 
 /// A point that was reported, and is not in some frames since.
@@ -118,7 +119,7 @@ class ContactsWatch final : public Watch {
 
   struct Placement {
     Placed a, b;
-    double size, tolerance, rounding;
+    double size, tolerance, allowed, rounding;
     Pose<double> b_in_a;
     bool is_mesh;
   };
@@ -135,7 +136,8 @@ class ContactsWatch final : public Watch {
                      *bt,
                      size,
                      tolerance,
-                     std::max(1e-6 * (size + reach), tolerance / 50),
+                     solids.allowed_for(*at, *bt),
+                     std::max(1e-6 * (size + reach), solids.allowed_for(*at, *bt) / 50),
                      relative_pose(at->pose, bt->pose),
                      !(at->solid->is_convex() || at->solid->is_plane()) ||
                          !(bt->solid->is_convex() || bt->solid->is_plane())};
@@ -301,8 +303,8 @@ class ContactsWatch final : public Watch {
       return Mark{jump.frame, jump.line, std::get<0>(key), std::get<1>(key),
                   at.a.pose.transform(jump.then.in_a)};
     };
-    const auto allowed = [&](const Spot& one, const Spot& other, double by) {
-      return kDepthNoise * at.tolerance + by +
+    const auto allowed = [&](const Spot& one, const Spot& other, double by, double tolerance) {
+      return kDepthNoise * tolerance + by +
              kSpeculativeNoise * std::max({one.reported, other.reported, 0.0});
     };
     const bool is_back =
@@ -310,7 +312,8 @@ class ContactsWatch final : public Watch {
           const double half = std::abs(off(jump.then) - off(jump.before)) / 2;
           return jump.moved < 2 * half && std::abs(off(now) - off(jump.before)) < half;
         });
-    if (is_back) {
+    if (is_back && !known.depth->beyond) known.depth.reset();
+    if (is_back && known.depth) {
       const Spot &before = known.depth->before, &then = known.depth->then;
       const double size = std::abs(off(then) - off(before)) / at.size;
       depths_.wrong_at(mark(*known.depth), frames, size, [&] {
@@ -324,7 +327,8 @@ class ContactsWatch final : public Watch {
         returns(known.normal, at, spots, moved, turned, [&](const Spot& now, const Jump& jump) {
           return angle(now, jump.before) < angle(jump.then, jump.before) / 2;
         });
-    if (is_turned_back) {
+    if (is_turned_back && !known.normal->beyond) known.normal.reset();
+    if (is_turned_back && known.normal) {
       const Jump& jump = *known.normal;
       const double size = 1 - jump.then.normal.dot(jump.before.normal);  // 11 degrees are gross
       normals_.wrong_at(mark(jump), frames, size, [&] {
@@ -348,13 +352,16 @@ class ContactsWatch final : public Watch {
         turn = by;
         normal = here;
         normal->before = *before, normal->then = now;
+        normal->beyond = at.is_mesh || now.excess > before->excess + at.allowed / 4;
       }
       const double least = std::min(change, std::abs(now.reported - before->reported));
-      if (by > kTurn || !(change > jump) || !(least > allowed(now, *before, moved))) continue;
+      if (by > kTurn || !(change > jump) || !(least > allowed(now, *before, moved, at.tolerance)))
+        continue;
       if (!is_on_surfaces(at, now) || !is_on_surfaces(at, *before)) continue;
       jump = change;
       depth = here;
       depth->before = *before, depth->then = now;
+      depth->beyond = least > allowed(now, *before, moved, at.allowed);
     }
     if (depth && !is_back && !known.depth) known.depth = depth;
     if (normal && !is_turned_back && !known.normal) known.normal = normal;

@@ -50,6 +50,8 @@ int rank_of(const Finding& finding) {
   constexpr double kPart = 0.5;
   if (!is_reported(finding)) return finding.is_hint ? 8 : 7;
   const auto is = [&](auto... names) { return ((finding.cause == names) || ...); };
+  constexpr double kMany = 0.05;
+  if (is("normal") && finding.count > kMany * finding.of) return 4;
   if (is("separation", "surface", "side", "normal", "deepest")) return finding.is_severe ? 2 : 6;
   if (is("overlap_without_contact", "pair_never_reported")) return finding.is_severe ? 2 : 5;
   constexpr double kSmall = 0.01;
@@ -179,6 +181,7 @@ std::vector<Finding> Linter::findings() {
       std::erase_if(all, [&](const Finding& finding) {
         return std::ranges::find(cause.effects, finding.cause) != cause.effects.end();
       });
+  std::erase_if(all, [](const Finding& finding) { return finding.count == 0; });  // all tolerated
   for (Finding& finding : all) {
     if (state_->options.strict) finding.below.clear();
     if (finding.marks.empty() && finding.line > 0)

@@ -130,7 +130,7 @@ class OverlapsWatch final : public Watch {
     const bool is_deep = overlap > 4 * tolerance;
     if (is_deep) deep_.insert(names);
     const double size = std::min({a->size(), b->size(), 1e6});
-    if (is_deep && !(&list == &untold_ && is_asleep))
+    if (overlap > 4 * solids.allowed_for(*a, *b) && !(&list == &untold_ && is_asleep))
       list[names].add(frames, overlap, tolerance, size);
     if (both_still || solids.body_of(names.first) == solids.body_of(names.second)) return;
     constexpr double kMinimum = 1e-6, kUpright = 0.5;

@@ -110,4 +110,16 @@ struct Tally {
   }
 };
 
+/// Values, each with the number of its occurrences.
+using Counted = std::vector<std::pair<double, int>>;
+/// The median.
+inline double middle_of(Counted& values) {
+  std::ranges::sort(values);
+  int all = 0, below = 0;
+  for (const auto& [value, times] : values) all += times;
+  for (const auto& [value, times] : values)
+    if ((below += times) > all / 2) return value;
+  return 0;
+}
+
 }  // namespace contactscope::lint

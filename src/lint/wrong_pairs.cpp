@@ -22,6 +22,7 @@ std::string rounded(double value) {
 std::string signature_of(const WrongPair& pair) {
   std::string signature = pair.explained_by.to_string();
   signature += pair.severe ? '#' : pair.gross ? '!' : '.';
+  signature += pair.grossly_beyond ? '^' : pair.beyond ? '-' : '_';
   signature += std::to_string(static_cast<int>(pair.problem.kind));
   if (pair.deeper != 0) signature += (pair.deeper > 0 ? '+' : '-') + rounded(pair.deeper);
   for (std::size_t i = 0; i < pair.scales.size(); ++i)

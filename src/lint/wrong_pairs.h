@@ -31,6 +31,7 @@ struct WrongPair {
   std::bitset<kMaxExplanations> explained_by{};
   bool gross = false;   // beyond most of an engine's approximations
   bool severe = false;  // beyond all of them
+  bool beyond = true, grossly_beyond = false;  // likewise for the tolerance that the user gives
   bool record = false;
   int times = 1;  // number of pairs
 };

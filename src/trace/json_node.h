@@ -31,6 +31,7 @@ class Node {
     throw Complaint{"'" + place() + "' " + message};
   }
 
+  std::string where() const { return around_ == nullptr ? "the line" : "'" + place() + "'"; }
   bool is_object() const { return value_.is_object(); }
 
   Node at(const char* key) const {
@@ -151,7 +152,6 @@ class Node {
     if (key_.data() == nullptr) return before + "[" + std::to_string(index_) + "]";
     return before.empty() ? std::string(key_) : before + "." + std::string(key_);
   }
-  std::string where() const { return around_ == nullptr ? "the line" : "'" + place() + "'"; }
   const char* type_name() const {
     if (value_.is_object()) return "object";
     if (value_.is_array()) return "array";

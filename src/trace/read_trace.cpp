@@ -19,6 +19,7 @@ struct Counts {
   const Counts* around = nullptr;
   Problems* problems = nullptr;  // null: the first one is thrown
   const Parts* parts = nullptr;  // to read; null: all
+  Problems* doubts = nullptr;    // null: they are not looked for
   std::vector<std::pair<std::string_view, std::size_t>> lists{};
 
   std::size_t of(std::string_view list) const {
@@ -154,6 +155,17 @@ template <class Part> void collecting(Problems* problems, const Part& part) {
   }
 }
 
+/// Notes keys of a shape that are not read, though they resemble one that is not there.
+void note_doubts(const Node& node, Problems& doubts) {
+  std::vector<std::string_view> names = {"half_extents"};
+  each_field<Shape>([&](const auto& field) { names.push_back(field.key); });
+  for (const auto& [name, value] : node.members())
+    if (const std::string near = nearest(name, names);
+        !near.empty() && near != name && !node.find(near.c_str()))
+      doubts.push_back(node.where() + " has a key '" + printable(name) +
+                       "', which is not read; did you mean '" + near + "'?");
+}
+
 template <class T> inline constexpr bool kIsStage = false;
 template <class T> inline constexpr bool kIsStage<Stage<T>> = true;
 
@@ -171,7 +183,10 @@ template <class T, class V> bool is_left_out(const Field<T, V>& field, const Par
 
 template <Listed T> T read(const Node& node, const Counts* around, Problems* problems) {
   T fact;
-  Counts counts{around, problems, around != nullptr ? around->parts : nullptr};
+  Counts counts{around, problems, around != nullptr ? around->parts : nullptr,
+                around != nullptr ? around->doubts : nullptr};
+  if constexpr (std::same_as<T, Shape>)
+    if (counts.doubts != nullptr) note_doubts(node, *counts.doubts);
   each_field<T>([&]<class V>(const Field<T, V>& field) {
     if (counts.parts != nullptr && is_left_out(field, *counts.parts)) return;
     const auto read_field = [&] {
@@ -205,7 +220,8 @@ template <Listed T> T read(const Node& node, const Counts* around, Problems* pro
 }
 
 /// Throws all problems at once, or appends them to `problems`.
-Header read_header(const Node& node, const std::string& place, Problems* problems) {
+Header read_header(const Node& node, const std::string& place, Problems* problems,
+                   Problems& doubts) {
   const Node schema = node.at("schema");
   const std::string name = schema.string();
   const std::string_view family(kSchema, std::string_view(kSchema).find('/') + 1);
@@ -213,7 +229,8 @@ Header read_header(const Node& node, const std::string& place, Problems* problem
     schema.fail("is '" + name + "'; only '" + kSchema + "' can be read" +
                 (name.starts_with(family) ? ": update contactscope, or write that schema" : ""));
   Problems own;
-  Header header = read<Header>(node, nullptr, problems != nullptr ? problems : &own);
+  const Counts around{nullptr, nullptr, nullptr, &doubts, {}};
+  Header header = read<Header>(node, &around, problems != nullptr ? problems : &own);
   if (!own.empty()) throw Complaint{in_lines(own, place)};
   return header;
 }
@@ -221,7 +238,7 @@ Header read_header(const Node& node, const std::string& place, Problems* problem
 Frame read_frame(const Node& node, const Parts& parts) {
   if (node.is_object() && node.find("schema"))
     throw Complaint{"this is a second header; a file holds one trace: start a new file with it"};
-  const Counts counts{nullptr, nullptr, &parts, {}};
+  const Counts counts{nullptr, nullptr, &parts, nullptr, {}};
   return read<Frame>(node, &counts, nullptr);
 }
 
@@ -244,7 +261,7 @@ std::string in_lines(const std::vector<std::string>& problems, const std::string
 TraceReader::TraceReader(std::istream& in, std::string name, std::vector<std::string>* problems)
     : in_(in), name_(std::move(name)), json_(std::make_unique<JsonLine>()) {
   const bool any = next_line([&](const Node& line) {
-    header_ = read_header(line, name_ + ":" + std::to_string(number_) + ":1: ", problems);
+    header_ = read_header(line, name_ + ":" + std::to_string(number_) + ":1: ", problems, doubts_);
   });
   if (!any)
     throw InputError(name_, 0, 0,
@@ -267,7 +284,6 @@ void TraceReader::finish(Frame& frame, int line) {
   complete(kinds_, frame);
   frame.line = line;
   ++frames_;
-  if (change_) change_(frame);
 }
 
 std::optional<Frame> TraceReader::next() {

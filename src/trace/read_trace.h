@@ -51,10 +51,8 @@ class TraceReader {
   /// `frames` is 0 if the file does not contain it.
   const Header& header() const { return header_; }
 
-  /// Reads on as if the file had this header.
-  void assume(Header header) { header_ = std::move(header); }
-  /// Calls `change` with each frame that is read from here on.
-  void change_frames(std::function<void(Frame&)> change) { change_ = std::move(change); }
+  /// Keys of the header's shapes that are not read, and that resemble keys that are.
+  const std::vector<std::string>& doubts() const { return doubts_; }
 
   /// The next frame, with derived values filled in; empty after the last one, also if a torn line
   /// follows. Throws InputError.
@@ -96,8 +94,8 @@ class TraceReader {
   int first_number_ = 0;
   int frames_ = 0;
   Header header_;
+  std::vector<std::string> doubts_;
   Kinds kinds_;  // shapes of the header and of all frames so far
-  std::function<void(Frame&)> change_;
   std::optional<Torn> torn_;
 };
 

@@ -190,6 +190,35 @@ TEST(DiffVerb, AnEarlierStageComesBeforeALargerDifference) {
   EXPECT_THAT(poses.result.out, HasSubstr("  1 more pair differs in this frame\n"));
 }
 
+TEST(DiffVerb, ASettingIsNamedAndThenThePairInWhichTheRunsPart) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, int iterations, double impulse) {
+    std::string text;
+    for (nlohmann::ordered_json line : row_of_balls()) {
+      if (line.contains("frame"))
+        line["solver"] = {{"iterations", iterations}, {"bodies", nlohmann::json::object()}};
+      if (line.value("frame", 0) == 2)
+        line["pairs"][1]["manifolds"][0]["points"][0]["impulse"]["normal"] = impulse;
+      text += line.dump() + "\n";
+    }
+    return folder.write(name, text);
+  };
+  const std::string files =
+      "'" + write("a.jsonl", 10, 1.5) + "' '" + write("b.jsonl", 4, 1.7) + "'";
+  const ProgramRun text = run("diff " + files);
+  EXPECT_EQ(text.exit_code, 1);
+  EXPECT_THAT(
+      text.out,
+      testing::AllOf(HasSubstr(" first in frame 0, stage: solver\n"),
+                     HasSubstr("iterations 10 -> 4\n"),
+                     HasSubstr(" but for that, first in frame 2, ground-ball_1, stage: solver\n"),
+                     HasSubstr("impulse 1.50 -> 1.70")));
+  const auto json = nlohmann::json::parse(run("diff " + files + " --json").out);
+  EXPECT_EQ(json["setting"]["frame"], 0);
+  EXPECT_EQ(json["first"]["frame"], 2);
+  EXPECT_EQ(json["first"]["b"], "ball_1");
+}
+
 TEST(DiffVerb, ADifferenceOfTheHeaderDoesNotHideTheFrames) {
   const Compared runs({{"/0/shapes/ball_1/radius", 1.05}, {at_point(2, 2, "separation"), -0.02}},
                       "x.png");

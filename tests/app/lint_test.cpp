@@ -73,6 +73,45 @@ TEST(LintVerb, PrintsJson) {
   EXPECT_EQ(finding["a"], "ground");
 }
 
+TEST(LintVerb, HintsThatDifferInTheirShapesAloneAreOne) {
+  const TemporaryFolder folder;
+  auto header = nlohmann::ordered_json::parse(kHeader);
+  nlohmann::ordered_json hull = header["shapes"]["crate"];
+  hull["margin"] = 0.5;
+  for (int i = 0; i < 6; ++i) header["shapes"]["rock_" + std::to_string(i)] = hull;
+  const std::string trace = crate("0,1,0", "-0.02");
+  const std::string file =
+      folder.write("rocks.jsonl", header.dump() + trace.substr(trace.find('\n')));
+  const ProgramRun grouped = run("lint '" + file + "'");
+  EXPECT_EQ(grouped.exit_code, 0) << grouped.out << grouped.err;
+  EXPECT_THAT(grouped.out, HasSubstr("of 'rock_0'; likewise of 'rock_1', 'rock_2', 'rock_3' and 2 "
+                                     "more (--verbose) [large_margin]"));
+  EXPECT_EQ(std::ranges::count(grouped.out, '\n'), 4);
+  const ProgramRun whole = run("lint --verbose '" + file + "'");
+  for (int i = 0; i < 6; ++i)
+    EXPECT_THAT(whole.out, HasSubstr("of 'rock_" + std::to_string(i) + "' [large_margin]"));
+  const auto json = nlohmann::json::parse(run("lint --json '" + file + "'").out);
+  EXPECT_EQ(json["files"][0]["hints"].size(), 6u);
+}
+
+TEST(LintVerb, AMisspeltKeyOfAShapeIsWarnedOf) {
+  const TemporaryFolder folder;
+  auto header = nlohmann::ordered_json::parse(kHeader);
+  header["shapes"]["crate"]["centerOfMass"] = {0, 0.1, 0};
+  header["shapes"]["crate"]["margins"] = 0.01;
+  header["shapes"]["crate"]["friction"] = 0.5;
+  const std::string trace = crate("0,1,0", "-0.02");
+  const std::string file =
+      folder.write("spelt.jsonl", header.dump() + trace.substr(trace.find('\n')));
+  const ProgramRun result = run("lint '" + file + "'");
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(result.err,
+              HasSubstr(file + ":1:1: warning: 'shapes.crate' has a key 'centerOfMass', "
+                               "which is not read; did you mean 'center_of_mass'?\n"));
+  EXPECT_THAT(result.err, HasSubstr("'margins', which is not read; did you mean 'margin'?"));
+  EXPECT_THAT(result.err, Not(HasSubstr("friction")));
+}
+
 TEST(LintVerb, KnownAndIgnoredFindingsExitWithZero) {
   const TemporaryFolder folder;
   const std::string half = folder.write("run.jsonl", crate("0,1,0", "-0.01"));

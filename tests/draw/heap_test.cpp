@@ -250,15 +250,16 @@ TEST(HeapLegend, NamesNoMarginThatCannotBeSeen) {
   EXPECT_THAT(entries(6), Contains(HasSubstr("area = overlap")));
 }
 
-/// Texts of a panel.
-std::vector<std::string> panel_texts(const Heap& heap, Panel panel) {
+/// Texts of a panel, and what it has left out.
+std::vector<std::string> panel_texts(const Heap& heap, Panel panel, double height = 600,
+                                     const std::string& left_out = "") {
   Heap shown = heap;
   shown.view.panels = {panel};
   const Staging staging = shown.staged();
   Drawing drawing;
-  Sheet sheet({900, 80, 332, 600}, 1, drawing);
+  Sheet sheet({900, 80, 332, height}, 1, drawing);
   const auto panels = make_panels(staging, shown.frames);
-  EXPECT_EQ(panels.at(0).content->lay_out({shown.frames.size() - 1, {}}, sheet), "");
+  EXPECT_EQ(panels.at(0).content->lay_out({shown.frames.size() - 1, {}}, sheet), left_out);
   return words(drawing);
 }
 
@@ -324,6 +325,72 @@ TEST(HeapPanels, WorstRanksByOverlapImpulseAndChange) {
   EXPECT_THAT(texts, Contains("floor and crate 11"));
   EXPECT_THAT(texts, Contains("15.5 mm"));
   EXPECT_THAT(texts, Contains("9.00 N s"));
+}
+
+/// A panel lists five pairs by each rank if it has room, fewer if not, and then says which it lacks.
+TEST(HeapPanels, EachRankingHasFiveRowsOrAsManyAsFit) {
+  Heap heap(6);
+  heap.frames.push_back(heap.frames[0]);
+  heap.frames[1].frame = 1;
+  double number = 0;
+  for (trace::Pair& pair : heap.frames[1].pairs) {
+    pair.manifolds[0].points[0].impulse = trace::Impulse{++number};
+    pair.manifolds[0].points[0].separation -= 1e-4 * number;
+  }
+  const auto rows = [](const std::vector<std::string>& texts) {
+    std::map<std::string, int> counts;
+    std::string title;
+    for (const std::string& text : texts) {
+      if (text.starts_with("by ")) counts[title = text.substr(0, text.find(' ', 3))] = 0;
+      if (text.starts_with("floor and")) ++counts[title];
+    }
+    return counts;
+  };
+  using Counts = std::map<std::string, int>;
+  EXPECT_EQ(rows(panel_texts(heap, Panel::Worst)),
+            (Counts{{"by overlap", 5}, {"by impulse", 5}, {"by change", 5}}));
+  const auto fewer = rows(panel_texts(heap, Panel::Worst, 280));
+  EXPECT_EQ(fewer.at("by overlap"), 5);
+  EXPECT_GE(fewer.at("by impulse"), fewer.at("by change"));
+  EXPECT_GE(fewer.at("by change"), 1);
+  const auto one = panel_texts(heap, Panel::Worst, 220, "1 ranking");
+  EXPECT_EQ(rows(one), (Counts{{"by overlap", 5}, {"by impulse", 1}}));
+  EXPECT_THAT(one, Contains("and 1 more ranking"));
+  heap.frames.erase(heap.frames.begin());
+  for (trace::Pair& pair : heap.frames[0].pairs) pair.manifolds[0].points[0].impulse.reset();
+  EXPECT_EQ(rows(panel_texts(heap, Panel::Worst, 160)), (Counts{{"by overlap", 5}}));
+}
+
+TEST(HeapFocus, BodiesInFocusAreNamed) {
+  Heap heap(6);
+  heap.view.focus_on = {"crate_3", "crate_9", "crate_20"};
+  std::map<std::string, Vec3d> places;
+  for (const Label& label : sketch_frame(heap.staged(), heap.frames[0]).labels)
+    places[label.text] = label.at;
+  for (const int crate : {3, 9, 20}) {
+    const std::string name = "crate " + std::to_string(crate);
+    ASSERT_TRUE(places.contains(name)) << name;
+    const Vec3d middle = heap.frames[0].poses[std::size_t(crate) + 1].second.position;
+    EXPECT_LT((places[name] - middle).norm(), 1e-9);
+  }
+  EXPECT_FALSE(places.contains("crate 4"));
+}
+
+/// As `--pair crate_14,floor` trims it: seen from so near that the middle of the floor is behind.
+TEST(HeapFocus, APairHasItsWholeNames) {
+  Heap heap(6, 12);
+  trace::Frame& frame = heap.frames[0];
+  std::erase_if(frame.pairs, [](const trace::Pair& pair) { return pair.b != "crate_0"; });
+  std::erase_if(frame.poses, [](const trace::Placement& one) {
+    return one.first != "crate_0" && one.first != "floor";
+  });
+  const Vec3d crate = frame.poses[1].second.position;
+  heap.view.target = crate;
+  heap.view.eye = crate + Vec3d(-1.1, 0.9, -1.2);
+  EXPECT_FALSE(heap.staged().camera.project({2, -0.1, 2}) &&
+               heap.staged().camera.project({-12, 0, -12}));
+  EXPECT_THAT(words(illustrate(heap.staged(), frame)),
+              testing::IsSupersetOf({"A: floor", "B: crate 0"}));
 }
 
 TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {

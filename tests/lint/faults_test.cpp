@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -349,6 +350,76 @@ TEST(LintFaults, WhatIsBelowAThresholdIsCountedAndStrictReportsIt) {
   EXPECT_EQ(named_in(lint(trace)), "");
   EXPECT_EQ(named_in(lint(trace, {.strict = true})), "surface ");
   EXPECT_EQ(named_in(lint(trace, {.strict = true, .tolerance = 0.01})), "");
+}
+
+/// A coarser tolerance only hides: no cause is added, and none is counted more often.
+TEST(LintFaults, SlowFindingsBecomeFewerAsTheToleranceGrows) {
+  for (const std::vector<Source>* sources : {&stacks(), &heaps()})
+    for (const Source& source : *sources) {
+      const std::vector<Target> chosen = targets(source.trace, 1);
+      ASSERT_FALSE(chosen.empty()) << source.name;
+      for (std::size_t f = 0; f <= faults().size(); ++f) {
+        Trace trace = source.trace;
+        if (f < faults().size()) seed(trace, faults()[f], chosen.front(), Often::Rarely);
+        std::map<std::string, int> last;
+        for (const double tolerance : {0.0, 0.0015, 0.003, 0.006, 0.012, 0.05, 0.5}) {
+          std::map<std::string, int> counts;
+          for (const Finding& one : lint(trace, {.tolerance = tolerance}))
+            counts[one.cause] += one.count;
+          for (const auto& [cause, count] : counts)
+            EXPECT_TRUE(tolerance == 0 || (last.contains(cause) && count <= last[cause]))
+                << source.name << ", " << (f < faults().size() ? faults()[f].name : "as it is")
+                << ", " << tolerance << ": " << count << " " << cause;
+          last = std::move(counts);
+        }
+      }
+    }
+}
+
+/// Bullet keeps a point of each body, and its point is halfway. Here a crate of 1 m has slid, so that
+/// the point halfway is next to the crate.
+TEST(LintFaults, APointThatIsKeptIsBetweenThePointsOfItsBodies) {
+  const auto named = [](double slid, double on_b_at, double separation) {
+    Trace trace;
+    trace.header.up = "y";
+    for (const auto& [name, half] :
+         {std::pair("floor", Vec3d(3, 0.5, 3)), {"crate", {0.5, 0.5, 0.5}}}) {
+      trace::Shape& box = trace.header.shapes.emplace_back();
+      box.name = name, box.type = "box";
+      for (int i = 0; i < 8; ++i)
+        box.vertices.push_back(
+            half.cwiseProduct(Vec3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+      box.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                   {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    }
+    for (int f = 0; f < 10; ++f) {
+      trace::Frame& frame = trace.frames.emplace_back();
+      frame.frame = f, frame.time = f / 60.0, frame.line = f + 2;
+      for (const auto& [name, y] : {std::pair("floor", 0.0), {"crate", 1.0}}) {
+        Pose<double> pose;
+        pose.position.y() = y;
+        frame.poses.emplace_back(name, pose);
+      }
+      trace::Pair& pair = frame.pairs.emplace_back();
+      pair.a = "floor", pair.b = "crate", pair.state = "touching";
+      trace::Manifold& manifold = pair.manifolds.emplace_back();
+      manifold.normal = Vec3d::UnitY();
+      for (const double z : {-0.5, 0.5})
+        for (const double side : {-1.0, 1.0}) {
+          trace::Point& point = manifold.points.emplace_back();
+          point.on_b = Vec3d(side * on_b_at, 0.5, z);
+          point.on_a = Vec3d(side * (0.5 + slid), 0.5, z);
+          point.position = (*point.on_a + *point.on_b) / 2;
+          point.separation = separation;
+        }
+    }
+    return named_in(lint(trace));
+  };
+  EXPECT_EQ(named(0, 0.5, 0), "");
+  EXPECT_EQ(named(0.01, 0.5, 0), "") << "halfway it is 5 mm beside the crate";
+  EXPECT_NE(named(0.01, 0.51, 0), "") << "none is on the crate";
+  EXPECT_NE(named(0.2, 0.5, 0), "") << "too far to be one contact";
+  EXPECT_NE(named(0.01, 0.5, 0.01), "") << "another separation than that of the two points";
 }
 
 }  // namespace

@@ -223,9 +223,39 @@ TEST(CompareRuns, FramesOfOneRunAndWordsOfTheHeaderAreNoted) {
 
   header["shapes"]["lid"]["vertices"][0][0] = -0.5;
   const RunComparison of_shapes = compare(recorded().frames, other, header.dump());
-  ASSERT_TRUE(of_shapes.parting);
-  EXPECT_EQ(of_shapes.parting->frame, -1);
-  EXPECT_EQ(of_shapes.parting->subject, "lid");
+  ASSERT_TRUE(of_shapes.header);
+  EXPECT_EQ(of_shapes.header->frame, -1);
+  EXPECT_EQ(of_shapes.header->subject, "lid");
+  EXPECT_FALSE(of_shapes.parting);
+}
+
+TEST(CompareRuns, ASettingOfTheSolverIsNamedBeforeThePairThatItChanges) {
+  std::vector<std::string> other = recorded().frames;
+  for (std::string& line : other) {
+    Json frame = Json::parse(line);
+    frame["solver"]["iterations"] = 3;
+    line = frame.dump();
+  }
+  const RunComparison of_setting = compare(recorded().frames, other);
+  ASSERT_TRUE(of_setting.setting);
+  EXPECT_THAT(of_setting.setting->what, HasSubstr("iterations 10 -> 3"));
+  EXPECT_EQ(of_setting.setting->chain, of_setting.setting->what);
+  EXPECT_FALSE(of_setting.parting);
+  Json frame = Json::parse(other[5]);
+  for (Json& pair : frame["pairs"])
+    if (pair["a"] == "crate" && pair["b"] == "lid")
+      change(pair["manifolds"][0]["points"][0]["separation"]);
+  other[5] = frame.dump();
+  Json header = Json::parse(recorded().header);
+  header["shapes"]["lid"]["vertices"][0][0] = -0.5;
+  const RunComparison runs = compare(recorded().frames, other, header.dump());
+  ASSERT_TRUE(runs.header && runs.setting && runs.parting) << "headers and frames differ";
+  EXPECT_EQ(runs.setting->frame, 0);
+  EXPECT_EQ(runs.parting->frame, 5);
+  EXPECT_EQ(runs.parting->subject, "crate-lid");
+  EXPECT_EQ(runs.parting->stage, Stage::Points);
+  EXPECT_EQ(runs.a, "crate");
+  EXPECT_EQ(runs.frames[1].frame, 5);
 }
 
 }  // namespace

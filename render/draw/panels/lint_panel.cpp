@@ -12,7 +12,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr std::size_t kRows = 16;    // the panel's, without its heading
+// The panel's rows without its heading, alone and above the rankings.
+constexpr std::size_t kRows = 16, kRowsAboveRankings = 11;
 constexpr std::size_t kOfFault = 3;  // places of a fault that are listed
 constexpr LineStyle kFaultOutline{1.8f, kText, true};
 
@@ -34,13 +35,17 @@ struct InFrame {
   std::string number(std::size_t i) const { return "!" + std::to_string(before + i + 1); }
 };
 
+std::size_t rows_in(const View& view) {
+  return view.shows(Panel::Worst) ? kRowsAboveRankings : kRows;
+}
+
 std::vector<InFrame> faults_in(const View& view, int frame) {
   std::vector<InFrame> all;
   std::size_t rows = 0;
   for (const Fault& fault : view.faults) {
     InFrame here{&fault};
     if (!all.empty()) here.before = all.back().before + all.back().listed();
-    here.room = std::max(rows + 1, kRows) - rows - 1;
+    here.room = std::max(rows + 2, rows_in(view)) - rows - 2;
     for (const Fault::Place& place : fault.places)
       if (place.frame == frame && std::ranges::none_of(here.places, [&](const auto* other) {
             return other->a == place.a && other->b == place.b;
@@ -62,7 +67,7 @@ class LintPanel : public PanelContent {
     const auto high = [&](std::size_t rows) {
       return Sheet::heading_height(scale_) + static_cast<float>(rows) * Sheet::line_height(scale_);
     };
-    const std::size_t rows = std::min(kRows, 5 * staging_.view.faults.size());
+    const std::size_t rows = std::min(rows_in(staging_.view), 5 * staging_.view.faults.size());
     return {high(rows), high(rows), high(rows), 0};
   }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "draw/panels/panel.h"
 #include "draw/scene/contact_facts.h"
 #include "draw/scene/palette.h"
@@ -9,32 +11,41 @@ namespace {
 constexpr float kBetweenRankings = 6;  // pixels at 720 lines
 constexpr double kNumberColumn = 18;
 
+constexpr std::size_t kRankedRows = 5;
+constexpr std::size_t kFewRankedRows = 3;
+
 struct Ranking {
   Rank by;
-  std::size_t rows;
   const char* title;
   Color color;
 };
 constexpr Ranking kRankings[] = {
-    {Rank::Overlap, 5, "by overlap", kContact},
-    {Rank::Impulse, 3, "by impulse", kImpulse},
-    {Rank::Change, 3, "by change of overlap since the last frame", kDropped},
+    {Rank::Overlap, "by overlap", kContact},
+    {Rank::Impulse, "by impulse", kImpulse},
+    {Rank::Change, "by change of overlap since the last frame", kDropped},
+};
+
+struct Ranked {
+  Ranking ranking;
+  std::vector<RankedPair> pairs{};
+  std::size_t rows = 1;
 };
 
 /// The pairs of a frame with the largest overlaps, impulses and changes, among any number of pairs.
 class WorstPanel : public PanelContent {
  public:
   WorstPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
-    for (const trace::Frame& frame : frames)
+    for (const trace::Frame& frame : frames) {
+      most_ = std::clamp(frame.pairs.size(), most_, kRankedRows);
       for (const trace::Pair& pair : frame.pairs)
         has_impulses_ = has_impulses_ || impulse_of(pair) > 0;
+    }
   }
 
   PanelNeed need(const PanelMoment&) const override {
     const float heading = Sheet::heading_height(scale_);
-    float all = heading;
-    for (const Ranking& ranking : rankings()) all += height_of(ranking);
-    return {heading + height_of(kRankings[0]), all, all, 0};
+    return {heading + height_of(most_), heading + height_of_all(std::min(kFewRankedRows, most_)),
+            heading + height_of_all(most_), 0};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -46,17 +57,13 @@ class WorstPanel : public PanelContent {
     }
     sheet.heading("worst of " + spell_count(static_cast<std::int64_t>(counts.pairs)) +
                   (counts.pairs == 1 ? " pair" : " pairs") + " in contact");
-    std::size_t left_out = 0;
-    for (const Ranking& ranking : rankings()) {
-      constexpr double kWholePixels = 1;  // a panel's area is cut to whole pixels
-      if (left_out > 0 ||
-          sheet.rest().height + kWholePixels < static_cast<double>(height_of(ranking))) {
-        ++left_out;
-        continue;
-      }
-      draw_ranking(ranking, moment, sheet);
-    }
-    return left_out == 0 ? "" : counted(left_out, "ranking", "rankings");
+    std::vector<Ranked> all = mapped(rankings(), [&](const Ranking& ranking) {
+      return Ranked{ranking,
+                    ranked_pairs(frame, ranking.by, kRankedRows, staging_.meshes, before(moment))};
+    });
+    const std::size_t left_out = divide(all, sheet);
+    for (const Ranked& one : all) draw_ranking(one, moment, sheet);
+    return sheet.more(left_out, "ranking", "rankings");
   }
 
  private:
@@ -70,10 +77,33 @@ class WorstPanel : public PanelContent {
     return shown;
   }
 
-  /// Pixels.
-  float height_of(const Ranking& ranking) const {
-    return static_cast<float>(ranking.rows + 1) * Sheet::line_height(scale_) +
-           kBetweenRankings * scale_;
+  /// Height of a ranking, pixels.
+  float height_of(std::size_t rows) const {
+    return static_cast<float>(rows + 1) * Sheet::line_height(scale_) + kBetweenRankings * scale_;
+  }
+  float height_of_all(std::size_t rows_of_others) const {
+    return height_of(most_) + static_cast<float>(rankings().size() - 1) * height_of(rows_of_others);
+  }
+
+  /// Divides the room among rankings: overlaps have all rows, because the picture has their numbers,
+  /// and the others the rest in turns. Returns the number of rankings without room.
+  std::size_t divide(std::vector<Ranked>& all, const Sheet& sheet) const {
+    constexpr double kWholePixels = 1;  // a panel's area is cut to whole pixels
+    const std::size_t count = all.size();
+    const auto fits = [&] {
+      float height = all.size() < count ? sheet.line_height() : 0;  // of the note
+      for (const Ranked& one : all) height += height_of(one.rows);
+      return static_cast<double>(height) <= sheet.rest().height + kWholePixels;
+    };
+    all.front().rows = std::max<std::size_t>(all.front().pairs.size(), 1);
+    while (all.size() > 1 && !fits()) all.pop_back();
+    for (std::size_t rows = 2; rows <= kRankedRows; ++rows)
+      for (std::size_t i = 1; i < all.size(); ++i) {
+        if (all[i].rows + 1 != rows || rows > all[i].pairs.size()) continue;
+        ++all[i].rows;
+        if (!fits()) --all[i].rows;
+      }
+    return count - all.size();
   }
 
   /// Nothing for the first frame, and if the frame before is missing.
@@ -91,11 +121,10 @@ class WorstPanel : public PanelContent {
                         staging_.scales.length);
   }
 
-  void draw_ranking(const Ranking& ranking, const PanelMoment& moment, Sheet& sheet) const {
+  void draw_ranking(const Ranked& one, const PanelMoment& moment, Sheet& sheet) const {
+    const auto& [ranking, ranked, rows] = one;
     const trace::Frame& frame = frames_[moment.frame];
-    const std::vector<RankedPair> ranked =
-        ranked_pairs(frame, ranking.by, ranking.rows, staging_.meshes, before(moment));
-    const float end = static_cast<float>(sheet.rest().y) + height_of(ranking);
+    const float end = static_cast<float>(sheet.rest().y) + height_of(rows);
     sheet.line(ranking.title, kQuietText);
     if (ranked.empty())
       sheet.line(ranking.by == Rank::Change && before(moment) == nullptr
@@ -104,7 +133,7 @@ class WorstPanel : public PanelContent {
                  kText);
     const Pen& pen = sheet.pen();
     const bool is_numbered = ranking.by == Rank::Overlap;
-    for (std::size_t i = 0; i < ranked.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(rows, ranked.size()); ++i) {
       const Rect row = {sheet.rest().x, sheet.rest().y, sheet.rest().width,
                         static_cast<double>(sheet.line_height())};
       const double share = ranked[i].value / ranked.front().value;
@@ -131,6 +160,7 @@ class WorstPanel : public PanelContent {
   }
 
   bool has_impulses_ = false;
+  std::size_t most_ = 1;  // rows of a ranking
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "draw/scene/ghost.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"
+#include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 #include "draw/scene/visibility.h"
 #include "image/font.h"
@@ -147,6 +148,13 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
         sketch.explain(kSpeckSwatch,
                        behind ? "contact point, pale behind a body" : "contact point");
     }
+  }
+  for (const std::string& name : scene.view.focus_on) {
+    const bool is_named = marked != nullptr && (name == marked->a || name == marked->b);
+    const PlacedShape* const shape = is_named ? nullptr : scene.find(name);
+    if (shape == nullptr || shape->vertices.empty()) continue;
+    sketch.begin(name_of(Layer::Names), name);
+    sketch.label(center_of(shape->vertices), name_in_words(name), kText, 16, 0);
   }
   if (!sized) return;
   number_pairs(scene, marked, sketch);

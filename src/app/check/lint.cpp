@@ -12,6 +12,7 @@
 #include "app/cli/narrow.h"
 #include "app/cli/verbs.h"
 #include "core/input_error.h"
+#include "core/nearest_word.h"
 #include "snapshot/store.h"
 
 namespace contactscope::app {
@@ -96,6 +97,19 @@ Shares known_findings(const std::string& path) {
   return shares;
 }
 
+/// One finding for several that differ in their shapes alone, such as hints about margins: adds the
+/// names of the next three, and the number of the others.
+lint::Finding gathered(const std::vector<lint::Finding>& all, std::size_t first, std::size_t end) {
+  lint::Finding one = all[first];
+  const std::size_t named = std::min(end, first + 4);
+  std::vector<std::string_view> names;
+  for (std::size_t i = first + 1; i < named; ++i) names.push_back(all[i].a);
+  if (!names.empty())
+    one.what += "; likewise of " + quoted_list(names, end == named ? " and " : ", ");
+  if (end > named) one.what += " and " + std::to_string(end - named) + " more (--verbose)";
+  return one;
+}
+
 ExitCode run_lint(const Options& options) {
   const Shares known = known_findings(options.known);
   constexpr double kMore = 1.5, kGrosser = 3;  // times as frequent, or as large: a new finding
@@ -111,7 +125,9 @@ ExitCode run_lint(const Options& options) {
     nlohmann::ordered_json one{{"file", file}, {"findings", nlohmann::ordered_json::array()}};
     int known_here = 0;
     bool clean_here = true;
-    for (const lint::Finding& finding : findings) {
+    std::size_t printed = 0;  // findings before this one
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      const lint::Finding& finding = findings[i];
       const bool is_fault = lint::is_reported(finding);
       const auto before = known.find(key_of(file, finding.cause));
       const bool is_known = is_fault && before != known.end() &&
@@ -123,7 +139,14 @@ ExitCode run_lint(const Options& options) {
       known_here += is_known;
       if (is_fault && !is_known) clean_here = false;
       const bool is_shown = is_fault ? !is_known : !options.quiet;
-      if (!options.json && is_shown) std::cout << record(file, finding) << '\n';
+      if (options.json || !is_shown || i < printed) continue;
+      const auto is_another = [&](const lint::Finding& other) {
+        return other.cause != finding.cause || other.remedy != finding.remedy || !other.b.empty();
+      };
+      const auto end =
+          std::find_if(findings.begin() + std::ptrdiff_t(i + 1), findings.end(), is_another);
+      printed = options.verbose || !finding.b.empty() ? i + 1 : std::size_t(end - findings.begin());
+      std::cout << record(file, gathered(findings, i, printed)) << '\n';
     }
     clean = clean && clean_here;
     json["files"].push_back(one);

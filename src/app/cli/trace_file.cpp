@@ -112,6 +112,8 @@ void TraceFile::begin() {
     throw;
   }
   header_ = reader_->header();
+  for (const std::string& doubt : reader_->doubts())
+    std::cerr << name_ << ":" << reader_->line() << ":1: warning: " << doubt << '\n';
   try {
     checks_.emplace(header_, name_ + ":" + std::to_string(reader_->line()) + ":1: ", problems);
     header_.impulses.reset();
