@@ -1,7 +1,7 @@
 #include "image/png.h"
 
 #include <libdeflate.h>
-#include <stb/stb_image.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -14,6 +14,8 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
+#include <stb/stb_image.h>
+
 namespace contactscope {
 namespace {
 
