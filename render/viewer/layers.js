@@ -62,7 +62,7 @@ class Layers {
     }
     if (clip && on.has('side_planes'))
       clip.reference.polygon.forEach((corner, i, all) => clip.steps[i] && lines.arrow(corner.map((x, k) => (x + all[(i + 1) % all.length][k]) / 2),
-        clip.steps[i].normal, this.bodies.size * 0.12, ink('side_planes'), 2));
+        clip.steps[i].plane.normal, this.bodies.size * 0.12, ink('side_planes'), 2));
     if (last && on.has('clip_polygons')) lines.loop(last.polygon, ink('clip_polygons'), 2.5);
     if (clip && on.has('dropped')) for (const point of clip.dropped) dots.add(point.position, ink('dropped'), CROSS, 5);
     if (reduction && on.has('candidates'))

@@ -18,7 +18,8 @@ void add_stages(trace::Pair& pair, test::Random& random) {
   for (int i = random.index(3); i > 0; --i)
     reduction.points.push_back(
         {random.vector(-2, 2), random.uniform(-0.1, 0.1), "b:v" + std::to_string(i)});
-  reduction.kept = {0, random.index(9), -3};
+  for (int i = random.index(4); i > 0 && !reduction.points.empty(); --i)
+    reduction.kept.push_back(random.index(static_cast<int>(reduction.points.size())));
   reduction.area = random.decade(-9, 9);
   if (random.chance(0.5)) {
     trace::Cache& cache = pair.cache.emplace();
@@ -125,14 +126,26 @@ TEST_F(InChromium, UnpacksWhatTheTraceOfARandomSceneSays) {
     test::Random random(seed);
     const CrateOnSlab scene = random_scene(random);
     const json page = result(R"(
-      const { data, stagesOf } = contactscope, list = (first, end, of) => Array.from({ length: end - first }, (_, i) => of(first + i)), { contacts, manifolds, points, texts } = data;
+      const { data, stagesOf, state, layers, go } = contactscope, list = (first, end, of) => Array.from({ length: end - first }, (_, i) => of(first + i)), { contacts, manifolds, points, texts } = data;
       const record = r => ({ pair: data.pairs[contacts.pair[r]], touching: contacts.state[r], separation: contacts.separation[r], stages: stagesOf(r),
         manifolds: list(contacts.manifolds[r], contacts.manifolds[r + 1], m => ({ normal: [...manifolds.normal.slice(3 * m, 3 * m + 3)], axis: texts[manifolds.axis[m]], triangle: manifolds.triangle[m],
           points: list(manifolds.first[m], manifolds.first[m + 1], i => ({ position: [...points.position.slice(3 * i, 3 * i + 3)], separation: points.separation[i], id: texts[points.id[i]], impulse: points.impulse[i], friction: points.friction[i] })) })) });
-      return { frames: data.frames.map((_, frame) => ({ poses: data.shapes.map((_, body) => data.poseOf[3 * frame + body]).map(i => i < 0 ? null : [...data.pose.slice(7 * i, 7 * i + 7)]),
+      // Each layer alone, in all frames: the number of marks.
+      const marks = Object.fromEntries(data.layers.map(({ name }) => {
+        state.on = new Set([name]);
+        return [name, data.frames.reduce((sum, _, frame) => {
+          go(frame);
+          return sum + layers.lines.rows + layers.dots.rows + layers.fills.rows;
+        }, 0)];
+      }));
+      return { marks, frames: data.frames.map((_, frame) => ({ poses: data.shapes.map((_, body) => data.poseOf[3 * frame + body]).map(i => i < 0 ? null : [...data.pose.slice(7 * i, 7 * i + 7)]),
         pairs: list(contacts.first[frame], contacts.first[frame + 1], record) })) };)",
                              scene);
     ASSERT_FALSE(page.contains("error")) << page["error"];
+    for (const char* layer :
+         {"reference_face", "side_planes", "clip_polygons", "dropped", "candidates", "reduced",
+          "normals", "contacts", "impulses", "center_of_mass"})
+      EXPECT_GT(page["marks"].value(layer, 0), 0) << layer;
     ASSERT_EQ(page["frames"].size(), scene.frames.size());
     for (std::size_t f = 0; f < scene.frames.size(); ++f) {
       const trace::Frame& frame = scene.frames[f];
