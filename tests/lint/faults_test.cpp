@@ -394,7 +394,7 @@ TEST(LintFaults, ANormalThatIsAlwaysWrongIsNamedBeforeAnImpulseThatFlickers) {
   EXPECT_THAT(named, testing::HasSubstr("impulses_flicker"));
 }
 
-/// Bullet keeps a point of each body, and its point is halfway. Here a crate of 1 m has slid, so that
+/// Bullet keeps a point of each body, and reports the middle. Here a crate of 1 m has slid, so that
 /// the point halfway is next to the crate.
 TEST(LintFaults, APointThatIsKeptIsBetweenThePointsOfItsBodies) {
   const auto named = [](double slid, double on_b_at, double separation) {
