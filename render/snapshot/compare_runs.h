@@ -39,8 +39,8 @@ struct RunComparison {
 /// order; the order of a frame's shapes and pairs does not count. Numbers compare within the
 /// rounding of the coarser scalar. Frames with the same text are not parsed; after the parting and
 /// the frames in which its consequences are looked for, only poses are. Memory does not depend on
-/// the number of frames, but for `distances`. Of several pairs that differ in the stage of the parting
-/// it names the one that differs most. Throws InputError.
+/// the number of frames, but for `distances`. Of several pairs that differ in the stage of the
+/// parting, it names the one that differs most. Throws InputError.
 RunComparison compare_runs(trace::TraceReader& a, trace::TraceReader& b, Workers& workers);
 
 }  // namespace contactscope::snapshot

@@ -97,8 +97,8 @@ Measured measure(const Placed& solid, const Vec3d& point, const Vec3d& outward, 
   return measured;
 }
 
-/// A point that an engine keeps while its bodies slide is between a point of a and one of b. If these
-/// are on the surfaces, and near each other, what is said of the point is measured at them.
+/// A point that an engine keeps while its bodies slide is between a point of each. If these are on
+/// the surfaces, and near each other, what is said of the point is measured at them.
 void measure_kept(const Placed& a, const Placed& b, const std::array<Vec3d, 2>& on,
                   const Vec3d& position, const Vec3d& normal, double said, double tolerance,
                   Measured& of_a, Measured& of_b) {

@@ -33,7 +33,7 @@ struct Problem {
 struct Verdict {
   int claims = 0;  // number of claims tested
   int wrong = 0;
-  int beyond = 0;              // of these, beyond the tolerance that the user gives
+  int beyond = 0;                   // of these, beyond the tolerance that the user gives
   std::optional<Problem> worst{};   // largest error of the first kind that occurs
   double farthest = 0;              // its error, metres
   std::vector<double> deeper{};     // for each point: excess of its reported overlap
@@ -53,8 +53,8 @@ class Solids {
   /// The body of a shape; without one, the shape itself.
   const std::string& body_of(const std::string& name) const;
 
-  /// Error of claims about two shapes from which causes are sought, metres: lint::tolerance_of(), or
-  /// `tolerance` if that is smaller. A larger one changes no cause, so that it only hides.
+  /// Error of claims about two shapes for which causes are sought, metres: lint::tolerance_of(), or
+  /// `tolerance` if that is smaller. A larger one only hides.
   double tolerance_of(const Placed& a, const Placed& b) const;
   /// Allowed error: at least tolerance_of().
   double allowed_for(const Placed& a, const Placed& b) const;

@@ -179,7 +179,7 @@ class ClaimsWatch final : public Watch {
     }
   }
 
-  /// The wrong pairs that are not reported yet and that fit; without a place if there are none. Those
+  /// The wrong pairs that fit and are not reported yet; without a place if there are none. Those
   /// within the user's tolerance take part in the search of causes, but are not counted.
   template <class Fits>
   Finding gathered(const std::string& cause, const std::string& what, const std::string& remedy,

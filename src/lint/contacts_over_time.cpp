@@ -49,7 +49,6 @@ struct Jump {
   int frames = 1;           // since `before`
   double moved = 0;         // metres, b as seen from a, since `before`
   double turned = 0;        // radians, likewise
-  bool beyond = true;       // the tolerance that the user gives
 };
 
 /// A point that was reported, and is not in some frames since.
@@ -119,7 +118,7 @@ class ContactsWatch final : public Watch {
 
   struct Placement {
     Placed a, b;
-    double size, tolerance, allowed, rounding;
+    double size, tolerance, rounding;
     Pose<double> b_in_a;
     bool is_mesh;
   };
@@ -131,13 +130,12 @@ class ContactsWatch final : public Watch {
     if (!at || !bt) return std::nullopt;
     const double size = std::min({at->size(), bt->size(), 1e6});
     const double reach = std::max(at->pose.position.norm(), bt->pose.position.norm());
-    const double tolerance = solids.tolerance_of(*at, *bt);
+    const double tolerance = solids.allowed_for(*at, *bt);
     return Placement{*at,
                      *bt,
                      size,
                      tolerance,
-                     solids.allowed_for(*at, *bt),
-                     std::max(1e-6 * (size + reach), solids.allowed_for(*at, *bt) / 50),
+                     std::max(1e-6 * (size + reach), tolerance / 50),
                      relative_pose(at->pose, bt->pose),
                      !(at->solid->is_convex() || at->solid->is_plane()) ||
                          !(bt->solid->is_convex() || bt->solid->is_plane())};
@@ -303,8 +301,8 @@ class ContactsWatch final : public Watch {
       return Mark{jump.frame, jump.line, std::get<0>(key), std::get<1>(key),
                   at.a.pose.transform(jump.then.in_a)};
     };
-    const auto allowed = [&](const Spot& one, const Spot& other, double by, double tolerance) {
-      return kDepthNoise * tolerance + by +
+    const auto allowed = [&](const Spot& one, const Spot& other, double by) {
+      return kDepthNoise * at.tolerance + by +
              kSpeculativeNoise * std::max({one.reported, other.reported, 0.0});
     };
     const bool is_back =
@@ -312,8 +310,7 @@ class ContactsWatch final : public Watch {
           const double half = std::abs(off(jump.then) - off(jump.before)) / 2;
           return jump.moved < 2 * half && std::abs(off(now) - off(jump.before)) < half;
         });
-    if (is_back && !known.depth->beyond) known.depth.reset();
-    if (is_back && known.depth) {
+    if (is_back) {
       const Spot &before = known.depth->before, &then = known.depth->then;
       const double size = std::abs(off(then) - off(before)) / at.size;
       depths_.wrong_at(mark(*known.depth), frames, size, [&] {
@@ -327,8 +324,7 @@ class ContactsWatch final : public Watch {
         returns(known.normal, at, spots, moved, turned, [&](const Spot& now, const Jump& jump) {
           return angle(now, jump.before) < angle(jump.then, jump.before) / 2;
         });
-    if (is_turned_back && !known.normal->beyond) known.normal.reset();
-    if (is_turned_back && known.normal) {
+    if (is_turned_back) {
       const Jump& jump = *known.normal;
       const double size = 1 - jump.then.normal.dot(jump.before.normal);  // 11 degrees are gross
       normals_.wrong_at(mark(jump), frames, size, [&] {
@@ -352,16 +348,13 @@ class ContactsWatch final : public Watch {
         turn = by;
         normal = here;
         normal->before = *before, normal->then = now;
-        normal->beyond = at.is_mesh || now.excess > before->excess + at.allowed / 4;
       }
       const double least = std::min(change, std::abs(now.reported - before->reported));
-      if (by > kTurn || !(change > jump) || !(least > allowed(now, *before, moved, at.tolerance)))
-        continue;
+      if (by > kTurn || !(change > jump) || !(least > allowed(now, *before, moved))) continue;
       if (!is_on_surfaces(at, now) || !is_on_surfaces(at, *before)) continue;
       jump = change;
       depth = here;
       depth->before = *before, depth->then = now;
-      depth->beyond = least > allowed(now, *before, moved, at.allowed);
     }
     if (depth && !is_back && !known.depth) known.depth = depth;
     if (normal && !is_turned_back && !known.normal) known.normal = normal;

@@ -51,8 +51,9 @@ int rank_of(const Finding& finding) {
   if (!is_reported(finding)) return finding.is_hint ? 8 : 7;
   const auto is = [&](auto... names) { return ((finding.cause == names) || ...); };
   constexpr double kMany = 0.05;
-  if (is("normal") && finding.count > kMany * finding.of) return 4;
-  if (is("separation", "surface", "side", "normal", "deepest")) return finding.is_severe ? 2 : 6;
+  const bool is_often_gross = finding.gross > 0 && finding.count > kMany * finding.of;
+  if (is("separation", "surface", "side", "normal", "deepest"))
+    return finding.is_severe ? 2 : is_often_gross ? 4 : 6;
   if (is("overlap_without_contact", "pair_never_reported")) return finding.is_severe ? 2 : 5;
   constexpr double kSmall = 0.01;
   if (finding.size < kSmall && is("margin_added", "margin_taken_off")) return 5;

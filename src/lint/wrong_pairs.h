@@ -29,8 +29,8 @@ struct WrongPair {
   std::string scaled(std::size_t scale) const { return scale == 2 ? "" : scale % 3 == 0 ? a : b; }
   double size = 1;  // of the error, relative to the smaller shape
   std::bitset<kMaxExplanations> explained_by{};
-  bool gross = false;   // beyond most of an engine's approximations
-  bool severe = false;  // beyond all of them
+  bool gross = false;                          // beyond most of an engine's approximations
+  bool severe = false;                         // beyond all of them
   bool beyond = true, grossly_beyond = false;  // likewise for the tolerance that the user gives
   bool record = false;
   int times = 1;  // number of pairs

@@ -327,7 +327,7 @@ TEST(HeapPanels, WorstRanksByOverlapImpulseAndChange) {
   EXPECT_THAT(texts, Contains("9.00 N s"));
 }
 
-/// A panel lists five pairs by each rank if it has room, fewer if not, and then says which it lacks.
+/// A panel lists five pairs by each rank if it has room, or fewer, and says how many it lacks.
 TEST(HeapPanels, EachRankingHasFiveRowsOrAsManyAsFit) {
   Heap heap(6);
   heap.frames.push_back(heap.frames[0]);

@@ -133,19 +133,6 @@ TEST(LintOverTime, ImpulsesThatAreMissingInEverySecondFrameFlicker) {
   EXPECT_THAT(found_in(trace), ElementsAre("impulses_flicker"));
 }
 
-/// A pair with a wrong normal in all frames is named before an impulse that flickers once.
-TEST(LintOverTime, NormalsThatAreAlwaysWrongAreNamedBeforeAnImpulseThatIsMissingOnce) {
-  Trace trace = stack();
-  each_of(trace, 5, [](int frame, trace::Pair& pair) {
-    for (trace::Manifold& manifold : pair.manifolds)
-      manifold.normal = (manifold.normal + 0.35 * Vec3d::UnitX()).normalized();
-    if (frame == 10) each_point_of(pair, [](trace::Point& point) { point.impulse->normal = 0; });
-  });
-  const std::vector<std::string> found = found_in(trace);
-  EXPECT_THAT(found, Contains("impulses_flicker"));
-  EXPECT_EQ(found.front(), "normal") << testing::PrintToString(found);
-}
-
 /// The topmost crate is 0.1 mm above the one below, and its pair is missing.
 TEST(LintOverTime, ABodyThatNothingHoldsRestsOnTheNearest) {
   Trace trace = stack();

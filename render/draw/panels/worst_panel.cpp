@@ -85,8 +85,8 @@ class WorstPanel : public PanelContent {
     return height_of(most_) + static_cast<float>(rankings().size() - 1) * height_of(rows_of_others);
   }
 
-  /// Divides the room among rankings: overlaps have all rows, because the picture has their numbers,
-  /// and the others the rest in turns. Returns the number of rankings without room.
+  /// Divides the room: overlaps have all rows, because the picture has their numbers, and the others
+  /// the rest in turns. Returns the number of rankings without room.
   std::size_t divide(std::vector<Ranked>& all, const Sheet& sheet) const {
     constexpr double kWholePixels = 1;  // a panel's area is cut to whole pixels
     const std::size_t count = all.size();
