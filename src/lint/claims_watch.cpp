@@ -198,8 +198,8 @@ class ClaimsWatch final : public Watch {
       add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
       if (wrong.grossly_beyond) finding.gross = std::max(finding.gross, wrong.size);
     }
+    is_enough_ = is_enough_ || first == nullptr || all_gathered_ >= kOften * judged_;
     if (first == nullptr) return finding;
-    is_enough_ = is_enough_ || all_gathered_ >= kOften * judged_;
     finding.is_severe = first->severe;
     finding.line = first->line, finding.frame = first->frame;
     finding.a = first->a, finding.b = first->b;
