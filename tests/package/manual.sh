@@ -8,7 +8,7 @@ cd /
 "$tree/bin/contactscope" trace hull/face_contact --frames 0 | head -c 100 | grep -q '"hull/face_contact"'
 page=$tree/share/man/man1/contactscope.1
 grep -q '^.SH NAME' "$page"
-for verb in render trace check review show merge explore study lint versus doctor list help; do
+for verb in render trace check review show explore study lint versus doctor list help; do
   grep -q "^.SS \"contactscope $verb" "$page" || { echo "no verb $verb in the man page"; exit 1; }
 done
 test -s "$tree/share/zsh/site-functions/_contactscope"
