@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "study/solver_stack.h"
 
 namespace contactscope::record {
