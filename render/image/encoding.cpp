@@ -12,7 +12,6 @@
 #include <new>
 #include <stdexcept>
 
-/// FIPS 180-4, section 6.2, with its names.
 namespace contactscope {
 namespace {
 
@@ -83,6 +82,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
+// SHA-256: FIPS 180-4, section 6.2, with its names.
 namespace {
 
 constexpr std::array<std::uint32_t, 64> kRounds = {

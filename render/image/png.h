@@ -12,7 +12,8 @@
 #include "image/encoding.h"
 #include "image/image.h"
 
-/// Parts of PNG and APNG files. PNG specification, third edition, W3C 2025.
+/// PNG pictures, and the parts that APNG files share with them. PNG specification, third edition,
+/// W3C 2025.
 namespace contactscope {
 
 /// Keywords (1 to 79 letters) and values (UTF-8).

@@ -252,8 +252,6 @@ RunComparison compare_runs(TraceReader& a, TraceReader& b, Workers& workers) {
     }
     record.parting = part();
   }
-  std::string& chain = record.parting->chain;
-  if (chain.ends_with(" pairs differ in it")) chain.resize(chain.rfind("; "));
   for (const Frame& frame : record.frames)
     for (const trace::Pair& pair : frame.pairs)
       if (key_of(pair) == record.parting->subject) record.a = pair.a, record.b = pair.b;

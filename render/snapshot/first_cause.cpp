@@ -225,12 +225,12 @@ FirstCause first_cause(const std::string& scenario, const std::vector<FrameDiffe
   cause.frame = frame->frame;
   cause.first = first;
   cause.chain = spell_chain(frames, *frame, *first, margins);
+  cause.sentence += ": " + cause.chain;
   std::set<std::string> pairs;
   for (const Difference& difference : frame->differences)
     if (find_pair(frame->actual, difference.subject)) pairs.insert(difference.subject);
   if (pairs.size() > 1)
-    cause.chain += "; " + counted(static_cast<int>(pairs.size()), "pair") + " differ in it";
-  cause.sentence += ": " + cause.chain;
+    cause.sentence += "; " + counted(static_cast<int>(pairs.size()), "pair") + " differ in it";
   std::vector<int> others;
   for (const FrameDifferences& one : frames)
     if (one.frame >= 0 && one.frame != frame->frame) others.push_back(one.frame);

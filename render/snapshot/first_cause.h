@@ -26,7 +26,7 @@ struct FirstCause {
   std::string sentence;
   int frame = -1;  // of the first difference; -1: the header
   const Difference* first = nullptr;
-  std::string chain;  // the end of the sentence: what changed first, and what followed
+  std::string chain;  // a part of the sentence: what changed first, and what followed
   /// Place and kind of the change in the pipeline, without numbers or names: equal for traces that
   /// one edit of the program may have changed.
   std::string signature;

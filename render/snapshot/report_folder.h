@@ -7,8 +7,6 @@
 #include "snapshot/check.h"
 #include "snapshot/finding.h"
 
-/// An Outcome as the file OUT/check/findings.json; see src/trace/README.md, "Findings". It has no
-/// times or other data that differ between runs on the same files.
 namespace contactscope::snapshot {
 
 /// Files of a check for people and programs, under OUT/check:
@@ -51,6 +49,9 @@ class ReportFolder {
 Outcome read_outcome(const std::filesystem::path& folder);
 /// Rewrites it after a review.
 void write_outcome(const std::filesystem::path& folder, const Outcome& outcome);
+
+// An Outcome as the file OUT/check/findings.json; see src/trace/README.md, "Findings". It has no
+// times or other data that differ between runs on the same files.
 
 inline constexpr const char* kFindingsSchema = "contactscope.check/1";
 

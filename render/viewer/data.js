@@ -1,6 +1,6 @@
 'use strict';
 (() => {  // one scope for all scripts; main.js ends it
-// The trace's facts: columns of integers (facts.h), decoded into arrays that the other scripts index.
+// The trace's facts: integers (facts.h), decoded into arrays that the other scripts index.
 
 let data = null;  // set once by main.js, before anything is shown
 const byId = id => document.getElementById(id);
@@ -80,9 +80,6 @@ function unpack(bytes) {
   const length = new DataView(bytes.buffer).getUint32(0, true), read = reader(bytes, 4 + length);
   const data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), { counts, quantum } = data, frames = data.frames.length;
   data.forms = data.forms.map(form => JSON.parse(form));
-  data.place = 4 * quantum;
-  data.unit = 4 / data.units;
-  data.fine = Math.min(quantum, 1 / data.units) / 256;
   data.shapes = Object.entries(data.header.shapes).map(([name, shape]) => ({ ...shape, name }));
   const bodies = data.shapes.length, single = Array.from({ length: FIELDS }, () => lastOf(1)), lastPose = data.shapes.map(() => lastOf(7));
   const next = (field, predicted = 0) => ((single[field][0] = predicted), read(field, single[field]));

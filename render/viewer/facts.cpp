@@ -82,7 +82,9 @@ ordered_json shortened(const std::string& line) {
 PackedFacts::PackedFacts(const trace::Header& header)
     : quantum_(std::exp2(std::floor(std::log2(smallest_of(header) / 16384)))),
       fine_(std::min(quantum_, 1 / kUnits) / kFiner) {
-  json_ = {{"quantum", quantum_}, {"units", kUnits}, {"header", shortened(to_json_line(header))}};
+  json_ = {{"quantum", quantum_},       {"place", kCoarser * quantum_},
+           {"unit", kCoarser / kUnits}, {"fine", fine_},
+           {"units", kUnits},           {"header", shortened(to_json_line(header))}};
   for (const char* list : {"frames", "times", "pairs", "texts", "forms"})
     json_[list] = ordered_json::array();
   for (const char* object : {"masses", "deformed"}) json_[object] = ordered_json::object();

@@ -7,7 +7,6 @@
 
 #include "study/picture.h"
 
-/// Results of plots that are too long for their row in pictures.cpp.
 namespace contactscope::record {
 
 inline constexpr bool kQuiet = true;
@@ -97,6 +96,7 @@ double largest_error(const trace::Study& study, const std::vector<std::string>& 
 
 inline constexpr const char* kGuarded = "no threshold, each gap judged by its own rounding error";
 
+/// Results of plots that are too long for their row in pictures.cpp.
 using PictureResult = std::string(Picture& plot);
 PictureResult result_of_thresholds, result_of_broad_phases, result_of_updates, result_of_refitting,
     result_of_coherence, result_near_plane, result_of_last_bits, result_of_impacts,

@@ -1,9 +1,4 @@
 #include "app/check/check_run.h"
-#include "app/cli/sequence.h"
-#include "draw/staging.h"
-#include "scenario/scenario.h"
-#include "view/title.h"
-#include "viewer/viewer.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -18,17 +13,22 @@
 #include "app/cli/catalogue.h"
 #include "app/cli/faults.h"
 #include "app/cli/progress.h"
+#include "app/cli/sequence.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/spell.h"
+#include "draw/staging.h"
 #include "scenario/run.h"
+#include "scenario/scenario.h"
 #include "snapshot/brittle.h"
 #include "snapshot/check.h"
 #include "snapshot/report_folder.h"
 #include "snapshot/spelling.h"
 #include "snapshot/store.h"
+#include "view/title.h"
+#include "viewer/viewer.h"
 
 namespace contactscope::app {
 namespace {
@@ -389,8 +389,7 @@ void require_folder(const Options& options) {
 
 snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) {
   require_folder(options);
-  const std::string folder = options.shard ? folder_of(*options.shard) : "check";
-  snapshot::ReportFolder report(options.out, folder);
+  snapshot::ReportFolder report(options.out, report_folder(options).filename().string());
   Checker checker(options, report);
   snapshot::Outcome outcome{options.snapshot_root, options.facts_only, options.shard};
   const std::vector<std::string> all =

@@ -14,8 +14,6 @@
 #include "snapshot/verdict.h"
 #include "view/layers.h"
 
-/// Readers of options whose text is more than a word or a number. Each throws UsageError, with the
-/// name of the option and a remedy.
 namespace contactscope::app {
 
 /// "A:B[:STEP]", B inclusive; "A" alone is one frame.
@@ -191,6 +189,9 @@ void use_backend_of_environment(Options& options);
 /// Checks options that depend on each other, and derives what follows from several. Throws
 /// UsageError, FontError.
 void finish(Options& options);
+
+// Readers of options whose text is more than a word or a number. Each throws UsageError, with the
+// name of the option and a remedy.
 
 /// Position of a word among those of an option. Throws UsageError with the nearest and all of them.
 std::size_t word_in(const std::string& option, const std::string& text,
