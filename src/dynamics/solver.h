@@ -94,6 +94,7 @@ template <class S> struct World {
   std::vector<WorldPair<S>> pairs;
   std::vector<PairImpulses<S>> impulses;  // of the last step, one per pair
   std::vector<ImpactCore> cores;          // of continuous pairs, made by the first step
+  CollideOptions contacts{};              // of every pair; the margin is the solver's
 };
 
 /// Bound of the pair's approach in `dt` seconds by its current motion and gravity, metres.
@@ -133,7 +134,7 @@ template <class S>
 void find_contacts(World<S>& world, const std::vector<Shape<S>>& shapes,
                    const SolverSettings& settings, std::vector<Manifolds<S>>& contacts, S dt = 0) {
   contacts.resize(world.pairs.size());
-  CollideOptions options;
+  CollideOptions options = world.contacts;
   const SolverSettings all = settled(settings, world.bodies);
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     WorldPair<S>& pair = world.pairs[i];

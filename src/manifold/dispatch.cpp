@@ -207,6 +207,16 @@ bool against_the_table(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>&
   return round_against_order(a, pose_a, b, pose_b, b_first);
 }
 
+/// The poses are read last before any arithmetic, and are rarely in the nearest cache.
+template <class S>
+[[gnu::always_inline]] inline void prefetch_pair(const Pose<S>& a, const Pose<S>& b,
+                                                 const PairCache<S>* cache) {
+  __builtin_prefetch(&a);
+  __builtin_prefetch(&b);
+  __builtin_prefetch(reinterpret_cast<const char*>(&b) + sizeof b - 1);
+  if (cache != nullptr) __builtin_prefetch(cache);
+}
+
 }  // namespace
 
 bool can_cache(ShapeKind one, ShapeKind other) {
@@ -222,6 +232,7 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
              const CollideOptions& options, Manifolds<S>& manifolds,
              std::type_identity_t<PairCache<S>>* cache, trace::Pair* record,
              const trace::Stages& stages) {
+  prefetch_pair(pose_a, pose_b, cache);
   if (kind_of(a) == ShapeKind::Capsule && kind_of(b) == ShapeKind::Capsule && record == nullptr &&
       collide_two_capsules(*std::get_if<Capsule<S>>(&a), pose_a, *std::get_if<Capsule<S>>(&b),
                            pose_b, options, manifolds))

@@ -12,7 +12,7 @@ namespace {
 void record_question(const Question& question, trace::Pair& record) {
   trace::Query& recorded = record.query.emplace();
   recorded.requested = to_string(question.kind);
-  recorded.comparison = question.inclusive ? "inclusive" : "exclusive";
+  recorded.comparison = to_string(question.comparison);
   recorded.tolerance = question.tolerance;
   if (!question.bounds) return;
   recorded.bounds = to_string(*question.bounds);
@@ -52,7 +52,7 @@ void record_gap(const Gap& gap, const Pose<double>& pose_a, trace::Pair* record)
 /// Two convex shapes, or a convex shape and a plane.
 template <class S>
 Answer<S> query_solids(const PlacedPair<S>& pair, const Question& question, trace::Pair* record,
-                       const trace::Stages& stages) {
+                       const trace::Stages& stages, GjkSimplex<double>* simplex) {
   const Shape<double>&wide_a = wide(pair.a), &wide_b = wide(pair.b);
   const PlacedCore core_a = core_of(wide_a, wide(pair.pose_a));
   const Pose<double> pose_b = wide(pair.pose_b);
@@ -63,7 +63,7 @@ Answer<S> query_solids(const PlacedPair<S>& pair, const Question& question, trac
     std::optional<Recorder<double>> recorder;
     if (record) recorder.emplace(ToWorld<double>(core_a.given), stages, *record);
     gap = gap_of_cores(core_a, core_of(wide_b, pose_b), question, kEpsilon<S>,
-                       recorder ? &*recorder : nullptr);
+                       recorder ? &*recorder : nullptr, simplex);
   }
   record_gap(gap, core_a.given, record);
   return answer_of<S>(gap, question);
@@ -147,14 +147,14 @@ Answer<S> query_field(const PlacedPair<S>& pair, const Question& question, trace
 template <class S>
 Answer<S> query_any_shapes(const QueriedShape<S>& a, const QueriedShape<S>& b,
                            const Question& question, trace::Pair* record,
-                           const trace::Stages& stages, MeshFront* front) {
+                           const trace::Stages& stages, QueryMemory* memory) {
   const PlacedPair<S> pair{a.shape, a.pose, b.shape, b.pose};
   if (kind_of(b.shape) == ShapeKind::Field) return query_field(pair, question, record, stages);
   if (const auto* mesh = std::get_if<Mesh<S>>(&a.shape))
     return query_meshes(*mesh, a.pose, std::get<Mesh<S>>(b.shape), b.pose, question,
-                        stages.query ? record : nullptr, stages, front);
+                        stages.query ? record : nullptr, stages, memory ? &memory->front : nullptr);
   if (kind_of(b.shape) == ShapeKind::Mesh) return query_mesh(pair, question, record, stages);
-  return query_solids(pair, question, record, stages);
+  return query_solids(pair, question, record, stages, memory ? &memory->simplex : nullptr);
 }
 
 /// The shapes' own answer, next to a query of their bounds.
@@ -176,8 +176,8 @@ trace::WithinBounds within_bounds(const QueriedShape<S>& a, const QueriedShape<S
 template <class S>
 Answer<S> query_in_order(const QueriedShape<S>& a, const QueriedShape<S>& b,
                          const Question& question, trace::Pair* record, const trace::Stages& stages,
-                         MeshFront* front) {
-  if (!question.bounds) return query_any_shapes(a, b, question, record, stages, front);
+                         QueryMemory* memory) {
+  if (!question.bounds) return query_any_shapes(a, b, question, record, stages, memory);
   trace::Pair* const recorded = stages.query ? record : nullptr;
   if (recorded) recorded->query->shapes = within_bounds(a, b, question);
   return query_bounds(a, b, question, recorded);
@@ -203,16 +203,16 @@ std::optional<std::string> refusal(const Question& question, ShapeKind one, Shap
 template <class S>
 Answer<S> query_pair(const QueriedShape<S>& a, const QueriedShape<S>& b, const Question& question,
                      bool b_first, trace::Pair* record, const trace::Stages& stages,
-                     MeshFront* front) {
+                     QueryMemory* memory) {
   const ShapeKind kind_a = kind_of(a.shape), kind_b = kind_of(b.shape);
   const bool swapped = kind_a == kind_b ? b_first : kind_a > kind_b;
   if (record == nullptr)
-    return query_in_order(swapped ? b : a, swapped ? a : b, question, nullptr, stages, front);
+    return query_in_order(swapped ? b : a, swapped ? a : b, question, nullptr, stages, memory);
   if (swapped) std::swap(record->a, record->b);
   record->kind = pair_kind((swapped ? b : a).shape, (swapped ? a : b).shape);
   record_question(question, *record);
   const Answer<S> answer =
-      query_in_order(swapped ? b : a, swapped ? a : b, question, record, stages, front);
+      query_in_order(swapped ? b : a, swapped ? a : b, question, record, stages, memory);
   record->query->method = to_string(answer.method);
   record->query->touching = answer.touching;
   if (answer.gap) record->query->gap = static_cast<double>(*answer.gap);

@@ -6,6 +6,7 @@
 #include "geometry/bounds.h"
 #include "manifold/capabilities.h"
 #include "manifold/dispatch.h"
+#include "query/gjk.h"
 #include "query/mesh_overlap.h"
 #include "query/overlap.h"
 
@@ -14,16 +15,29 @@
 namespace contactscope {
 
 /// A query and how its answer is compared. Lengths in metres.
+/// Whether shapes that only touch overlap.
+enum class QueryComparison {
+  Exclusive,  // they do not
+  Inclusive,  // they do
+  Proper,     // nor do triangles of two meshes that overlap within one plane
+};
+
+constexpr const char* to_string(QueryComparison comparison) {
+  constexpr const char* kNames[] = {"exclusive", "inclusive", "proper"};
+  return kNames[static_cast<int>(comparison)];
+}
+
 struct Question {
   QueryKind kind = QueryKind::Manifold;
   /// Aabb, Obb or BoundingSphere: query these bounds; empty: query the shapes themselves.
   std::optional<QueryMethod> bounds{};
-  bool inclusive = true;  // touching counts as overlap
+  QueryComparison comparison = QueryComparison::Inclusive;
   double tolerance =
       0;  // for inclusive Overlap and for Touching: separations up to this count as zero
   ObbTest<double> test{};                                  // for oriented boxes
   PenetrationMethod penetration = PenetrationMethod::Sat;  // for convex shapes, one of them a hull
 
+  bool inclusive() const { return comparison == QueryComparison::Inclusive; }
   friend bool operator==(const Question&, const Question&) = default;
 };
 
@@ -66,6 +80,12 @@ template <class S> struct QueriedShape {
   OwnBounds<S>& bounds;
 };
 
+/// Where the last query of a pair ended.
+struct QueryMemory {
+  MeshFront front;             // of two meshes, see mesh_overlap()
+  GjkSimplex<double> simplex;  // of two cores, see gjk()
+};
+
 /// Answers a query that refusal() accepts and whose kind is not Manifold.
 ///
 /// Convex shapes: GJK of the cores less the radii; where the cores overlap and the depth matters,
@@ -81,12 +101,12 @@ template <class S> struct QueriedShape {
 /// overlapping. Two meshes are compared exactly, see mesh_overlap.h; for bounds see overlap.h.
 ///
 /// `b_first`, `record` and `stages` are as in collide(): the record is in the order of the
-/// arguments and does not change the answer. `front` is for two meshes, see mesh_overlap(): where
-/// the last call for this pair ended; null: their trees are traversed from the roots.
+/// arguments and does not change the answer. `memory`: where the last call for this pair ended and
+/// this one starts; null: trees are traversed from their roots, and GJK starts with one point.
 template <class S>
 Answer<S> query_pair(const QueriedShape<S>& a, const QueriedShape<S>& b, const Question& question,
                      bool b_first = false, trace::Pair* record = nullptr,
-                     const trace::Stages& stages = kUsualStages, MeshFront* front = nullptr);
+                     const trace::Stages& stages = kUsualStages, QueryMemory* memory = nullptr);
 
 /// Records the state of a pair, the answer and, if known, the separation. Works without a Recorder.
 /// Without a separation the record keeps its own.

@@ -41,7 +41,7 @@ template <class S> Answer<S> answer_of(const Gap& gap, const Question& question)
   // An unknown depth is more than rounding, or does not matter.
   const bool deep = !gap.gap;
   const bool within = deep || *gap.gap <= allowed;
-  answer.overlap = question.inclusive ? within : deep || *gap.gap < -gap.rounding;
+  answer.overlap = question.inclusive() ? within : deep || *gap.gap < -gap.rounding;
   if (question.kind == QueryKind::Touching)
     answer.touching = within && !deep && *gap.gap >= -allowed;
   return answer;
@@ -65,9 +65,11 @@ double rounding_along(const Vec3d& normal, const Pose<double>& pose, const Vec3d
 double bound_of_rounding(double lengths, Epsilon epsilon);
 
 /// Two convex shapes: GJK and, where the cores overlap, the separating axis test or the query's
-/// penetration method. `recorder` is of double.
+/// penetration method. `recorder` is of double. GJK starts with `simplex`, unless null, and leaves
+/// its last one there.
 Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& question,
-                 Epsilon epsilon, Recorder<double>* recorder);
+                 Epsilon epsilon, Recorder<double>* recorder,
+                 GjkSimplex<double>* simplex = nullptr);
 
 Gap gap_to_plane(const PlacedCore& a, const HalfSpace<double>& b, const Pose<double>& pose_b,
                  Epsilon epsilon);

@@ -91,7 +91,7 @@ Answer<S> answer_of_bounds(const Bound& a, const Bound& b, const Question& quest
   Answer<S> answer;
   answer.method = *question.bounds;
   OverlapRecord<S> axes;
-  answer.overlap = overlap(question.inclusive ? C::within(tolerance) : C::exclusive(), &axes);
+  answer.overlap = overlap(question.inclusive() ? C::within(tolerance) : C::exclusive(), &axes);
   answer.gap = largest_gap(axes);
   if (question.kind == QueryKind::Touching) {
     const bool deeper =

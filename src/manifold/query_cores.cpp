@@ -26,7 +26,7 @@ double reach_of(const PlacedCore& core) {
 /// Whether the depth matters for cores that may overlap, also if it may be only rounding.
 bool needs_depth(const Question& question, double radii, double rounding) {
   if (question.kind == QueryKind::Penetration) return true;
-  const bool compares = question.kind == QueryKind::Touching || !question.inclusive;
+  const bool compares = question.kind == QueryKind::Touching || !question.inclusive();
   return compares && radii <= question.tolerance + rounding;
 }
 
@@ -58,12 +58,13 @@ double bound_of_rounding(double lengths, Epsilon epsilon) {
 }
 
 Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& question,
-                 Epsilon epsilon, Recorder<double>* recorder) {
+                 Epsilon epsilon, Recorder<double>* recorder, GjkSimplex<double>* simplex) {
   const Pose<double> pose_a = a.pose(), b_in_a = relative_pose(pose_a, b.pose());
   const double radii = a.radius + b.radius;
   const double computed =
       rounding_of_double(reach_of(a.set) + reach_of(b.set) + b_in_a.position.norm() + radii);
-  const GjkResult<double> cores = gjk<double>(a.set, b.set, b_in_a, nullptr, gjk_run(recorder));
+  const GjkResult<double> cores = gjk<double>(a.set, b.set, b_in_a, simplex, gjk_run(recorder));
+  if (simplex) *simplex = cores.simplex;
   if (recorder) recorder->gjk(Pose<double>());
   Gap found;
   const auto from_cores = [&](double distance, const Vec3d& normal, const Vec3d& on_a,
@@ -88,7 +89,7 @@ Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& quest
     PenetrationResult<double> deep = by(method, penetration_steps(recorder));
     if (recorder) recorder->penetration(method, deep, nullptr);
     // The other methods give more than the least depth, which may be only rounding.
-    if (method != PenetrationMethod::Sat && !question.inclusive && radii <= bound) {
+    if (method != PenetrationMethod::Sat && !question.inclusive() && radii <= bound) {
       const PenetrationResult<double> least = by(PenetrationMethod::Sat, nullptr);
       if (!has_depth(least.status) || least.depth <= bound) {
         method = PenetrationMethod::Sat;

@@ -13,10 +13,12 @@ const char* to_word(TriangleOverlapKind kind) {
   return kWords[static_cast<int>(kind)];
 }
 
-/// Touching triangles share no interior point.
-bool counts(TriangleOverlapKind kind, bool inclusive) {
-  return inclusive ? kind != TriangleOverlapKind::None
-                   : kind == TriangleOverlapKind::Proper || kind == TriangleOverlapKind::Coplanar;
+/// Touching triangles share no interior point. Guigue and Devillers 2003 call an overlap proper if it
+/// is not within one plane.
+bool counts(TriangleOverlapKind kind, QueryComparison comparison) {
+  return kind == TriangleOverlapKind::Proper ||
+         (kind == TriangleOverlapKind::Coplanar && comparison != QueryComparison::Proper) ||
+         (kind == TriangleOverlapKind::Touching && comparison == QueryComparison::Inclusive);
 }
 
 template <class S>
@@ -98,7 +100,7 @@ Answer<S> query_meshes(const Mesh<S>& a, const Pose<S>& pose_a, const Mesh<S>& b
   answer.method = QueryMethod::Triangles;
   answer.trees = found.counts;
   answer.overlap = std::ranges::any_of(found.intersections, [&](const MeshIntersection<S>& one) {
-    return counts(one.overlap.kind, question.inclusive);
+    return counts(one.overlap.kind, question.comparison);
   });
   if (record) record_intersections(found, pose_a, *record);
   if (watched) record->query->node_pairs = recorded_node_pairs(a.tree, b.tree, visits);

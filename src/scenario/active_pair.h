@@ -36,7 +36,7 @@ inline bool chooses_tree(const ScenarioShape& shape) {
 inline bool remembers(const Scenario& scenario, const ScenarioPair& pair) {
   const PipelineSettings& settings = pair.pipeline;
   if (!settings.makes_contacts())
-    return walks_trees(scenario, pair) &&
+    return starts_somewhere(scenario, pair) &&
            (settings.traversal == Traversal::Coherent || chooses_tree(scenario.shape(pair.a)) ||
             chooses_tree(scenario.shape(pair.b)));
   const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
@@ -65,8 +65,8 @@ template <class S> struct ActivePair {
   PairCache<S> cache;
   std::vector<PersistentManifold<S>> persistent;  // zero or one (5 kB), for incremental manifolds
   PairImpulses<S> impulses;                       // dynamic scenarios only
-  MeshFront front;                                // for queries of two meshes, as the next one
-  MeshQueryCost query_cost;
+  QueryMemory query;
+  MeshQueryCost query_cost;  // of two meshes
 
   BoxPair shapes() const { return {pair.a, pair.b}; }
 };

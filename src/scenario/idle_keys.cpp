@@ -50,9 +50,10 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
   const bool hull_b = scenario.shape(pair.b).hull() != nullptr;
   const Question& question = pair.pipeline.question;
   if (key == "traversal")
-    return walks_trees(scenario, pair) ? ""
-                                       : "only a query of two meshes without bounds traverses "
-                                         "two trees; set query = \"overlap\", or remove it";
+    return starts_somewhere(scenario, pair)
+               ? ""
+               : "only a query of two meshes, or of two convex shapes, without bounds has a start "
+                 "to choose; set query = \"overlap\", or remove it";
   if (std::ranges::find(kQuestionKeys, key) != std::end(kQuestionKeys))
     return idle_question(key, question);
   if (question.kind != QueryKind::Manifold) {

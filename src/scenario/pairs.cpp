@@ -33,14 +33,15 @@ void check_incremental(const ScenarioPair& pair, const std::vector<ScenarioShape
 void read_question(const Value& table, Question& question) {
   table.read("query", question.kind);
   table.read("bounds", question.bounds);
-  table.read("comparison", question.inclusive, &Value::word);
+  table.read("comparison", question.comparison);
   table.read("tolerance", question.tolerance);
   table.read("axes", question.test.axes);
   table.read("skip_up_to", question.test.skip_up_to);
-  if (!question.inclusive && question.tolerance > 0) {
+  if (!question.inclusive() && question.tolerance > 0) {
     const auto key = table.find("tolerance") ? table.find("tolerance") : table.find("comparison");
     key->fail(
-        "'tolerance' contradicts an exclusive comparison; remove 'tolerance', or set comparison = "
+        "'tolerance' contradicts a comparison that leaves out touching; remove 'tolerance', or set "
+        "comparison = "
         "\"inclusive\"");
   }
   if (question.bounds && (question.kind == QueryKind::Manifold)) {

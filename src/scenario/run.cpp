@@ -222,10 +222,10 @@ template <class S> class Runner::In final : public Runner::InScalar {
     const auto placed = [&](int i) -> QueriedShape<S> {
       return {shape(i), at(poses, i), at(own_bounds_, i)};
     };
-    MeshFront* const front =
-        pair.pipeline.traversal == Traversal::Coherent ? &memory.front : nullptr;
+    QueryMemory* const last =
+        pair.pipeline.traversal == Traversal::Coherent ? &memory.query : nullptr;
     const Answer<S> answer = query_pair(placed(pair.a), placed(pair.b), pair.pipeline.question,
-                                        pair.b < pair.a, record, stages_, front);
+                                        pair.b < pair.a, record, stages_, last);
     if (answer.trees) {
       const MeshQueryCost::Verdict verdict = memory.query_cost.judge(*answer.trees);
       for (DeformingMesh<S>& mesh : deforming_)
@@ -252,7 +252,7 @@ template <class S> class Runner::In final : public Runner::InScalar {
         .cache = {},
         .persistent = {},
         .impulses = {},
-        .front = {},
+        .query = {},
         .query_cost = {}};
   }
 

@@ -142,6 +142,8 @@ template <class S> trace::Shape traced_shape(const ScenarioShape& shape, const S
     std::visit(describe_kind, *shape.geometry);
   else
     std::visit(describe_kind, rounded);
+  if (kind_of(rounded) == ShapeKind::Sphere)
+    traced.vertices = {traced.center_of_mass = shape.collider_origin};
   return traced;
 }
 

@@ -57,9 +57,9 @@ struct ScenarioShape {
   std::optional<double> restitution{};  // default: the world's
   double weld = kSeam;                  // of a hull, see PlacedSurface; a mesh has its own
 
-  /// The shape that is rounded and collided: `geometry`, or, if that is far from its own origin,
-  /// the same shape about its centre (see shape.h), which is at `collider_origin` in the file's
-  /// frame, metres. Traces contain shapes and poses as in the file.
+  /// The shape that is rounded and collided: `geometry`, or, if that is far from its own origin, or
+  /// a sphere with a `center`, the same shape about its centre (see shape.h), which is at
+  /// `collider_origin` in the file's frame, metres. Traces contain shapes and poses as in the file.
   std::shared_ptr<const Shape<double>> collider{};
   Vec3d collider_origin = Vec3d::Zero();
   TreeUpdate tree = TreeUpdate::Auto;  // of a deforming mesh
@@ -78,7 +78,7 @@ enum class Scalar { Float, Double };
 /// Gregorius 2015, "Incremental vs One-Shot Manifold".
 enum class ManifoldKind { OneShot, Incremental };
 
-/// Start of the traversal of two meshes' trees.
+/// Where a query of two meshes' trees, or GJK, starts.
 enum class Traversal {
   FromRoots,
   Coherent,  // where the previous frame's ended
@@ -195,11 +195,15 @@ struct Scenario {
   const ScenarioShape& shape(int index) const { return at(shapes, index); }
 };
 
-/// Whether a pair is a query of two meshes, without bounds, that traverses both trees.
-inline bool walks_trees(const Scenario& scenario, const ScenarioPair& pair) {
-  const auto is_mesh = [&](int i) { return scenario.shape(i).is_mesh(); };
-  return !pair.pipeline.makes_contacts() && !pair.pipeline.question.bounds && is_mesh(pair.a) &&
-         is_mesh(pair.b);
+/// Whether the method of a pair's query has a start to choose: the trees of two meshes, or GJK.
+inline bool starts_somewhere(const Scenario& scenario, const ScenarioPair& pair) {
+  const auto kind = [&](int i) { return kind_of(*scenario.shape(i).geometry); };
+  const auto both = [&](auto low, auto high) {
+    return std::min(kind(pair.a), kind(pair.b)) >= low &&
+           std::max(kind(pair.a), kind(pair.b)) <= high;
+  };
+  return !pair.pipeline.makes_contacts() && !pair.pipeline.question.bounds &&
+         (both(ShapeKind::Sphere, ShapeKind::Hull) || both(ShapeKind::Mesh, ShapeKind::Mesh));
 }
 
 /// "<group>/<idea>": the folder and the name of a scenario file.

@@ -136,6 +136,7 @@ ScenarioShape completed(ScenarioShape shape, const Value& table, const Surroundi
                         double end_time) {
   shape.collider = shape.geometry;
   shape.collider_origin = moved_origin(*shape.geometry);
+  if (shape.type == "sphere") table.read("center", shape.collider_origin, &Value::vector3);
   if (shape.is_moved())
     shape.collider =
         std::make_shared<const Shape<double>>(seen_from(*shape.geometry, shape.collider_origin));
@@ -229,6 +230,8 @@ Shape<double> read_plain_shape(const Value& value, const Surroundings& surroundi
     if (const auto given = table.find(key.name); given && key.name != "type")
       given->fail("'" + value.name() + "' is a form without a place; remove '" + given->name() +
                   "', or give it to the shape");
+  if (type.name == "sphere" && table.find("center"))
+    table.find("center")->fail("a field's sphere is about the field's own origin; remove 'center'");
   return type.read(table, surroundings);
 }
 

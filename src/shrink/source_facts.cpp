@@ -89,7 +89,7 @@ std::vector<Setting> settings_of(const PipelineSettings& settings) {
   const Question& requested = settings.question;
   word("query", requested.kind, usual.question.kind);
   if (requested.bounds) keys.emplace_back("bounds", quoted(to_string(*requested.bounds)));
-  if (!requested.inclusive) keys.emplace_back("comparison", "\"exclusive\"");
+  word("comparison", requested.comparison, usual.question.comparison);
   if (requested.tolerance > 0) keys.emplace_back("tolerance", spell(requested.tolerance));
   return keys;
 }

@@ -10,6 +10,7 @@
 #include "dynamics/solver.h"
 #include "geometry/primitives.h"
 #include "manifold/incremental.h"
+#include "manifold/incremental_patch.h"
 #include "study/random_cases.h"
 #include "study/solver_stack.h"
 #include "study/study.h"
@@ -124,17 +125,22 @@ constexpr LandingPanel kLandingPanels[] = {
 constexpr const char* kLandingMethods[] = {"one-shot", "incremental by distance",
                                            "incremental by ids"};
 
+LandingCase random_landing(std::mt19937_64& engine, Landing landing, double parameter) {
+  LandingCase c{landing, parameter};
+  for (int axis = 0; axis < 3; ++axis) c.half_extents[axis] = uniform(engine, 0.2, 0.5);
+  // Low enough not to topple while friction stops it.
+  c.half_extents.y() = std::min(c.half_extents.y(), c.half_extents.x());
+  c.yaw = uniform(engine, 0, std::numbers::pi / 2);
+  return c;
+}
+
 /// Tests every method on the same boxes at one parameter.
 Measurement judge(const LandingPanel& panel, double parameter, LandingMethod method,
                   const StudyOptions& options) {
   Measurement measured(3, options.cases.value_or(kLandingCases));
   std::mt19937_64 engine(options.seed);
   for (int i = 0; i < measured.of; ++i) {
-    LandingCase c{panel.landing, parameter};
-    for (int axis = 0; axis < 3; ++axis) c.half_extents[axis] = uniform(engine, 0.2, 0.5);
-    // Low enough not to topple while friction stops it.
-    c.half_extents.y() = std::min(c.half_extents.y(), c.half_extents.x());
-    c.yaw = uniform(engine, 0, std::numbers::pi / 2);
+    const LandingCase c = random_landing(engine, panel.landing, parameter);
     const LandingOutcome outcome = land(c, method, kLandingFrames);
     if (outcome.frames_to_stable > 0)
       measured.errors[0].add(outcome.frames_to_stable);
@@ -150,6 +156,53 @@ Measurement judge(const LandingPanel& panel, double parameter, LandingMethod met
         return static_cast<double>(pair.manifolds.size());
       });
     }
+  }
+  return measured;
+}
+
+constexpr double kDropHeights[] = {0.1, 0.3, 1, 3, 10};  // metres
+constexpr int kDeepCalls = 200;
+
+/// A query of the cores: GJK while they are apart, otherwise the method for the depth.
+struct CoreMethod {
+  const char* name;
+  std::optional<PenetrationMethod> deep{};
+};
+constexpr CoreMethod kCoreMethods[] = {{"GJK"},
+                                       {"separating axis test", PenetrationMethod::Sat},
+                                       {"EPA", PenetrationMethod::Epa},
+                                       {"MPR", PenetrationMethod::Mpr},
+                                       {"sampling", PenetrationMethod::Sampling}};
+
+/// Catto 2007, "Deep Contact": the share of the touching frames in which the query is needed, and
+/// its time.
+Measurement judge_queries(double height, const CoreMethod& method, const StudyOptions& options) {
+  Measurement measured(1, options.cases.value_or(kLandingCases));
+  std::mt19937_64 engine(options.seed);
+  for (int i = 0; i < measured.of; ++i) {
+    const LandingCase c = random_landing(engine, Landing::Drop, height);
+    LandingPair pair(c, LandingMethod::ByDistance);
+    pair.collide_at(start_of(c).cast<float>());  // makes the cores
+    const ShapeCore<float>&floor = *pair.persistent.core_a, &box = *pair.persistent.core_b;
+    const float margins = floor.margin + box.margin;
+    const auto query = [&](const Pose<float>& pose) {
+      return query_cores<float>(floor, box, relative_pose(kFloor, pose),
+                                method.deep.value_or(PenetrationMethod::Sat), nullptr, nullptr);
+    };
+    const LandingOutcome outcome = land(c, LandingMethod::ByDistance, kLandingFrames);
+    int touching = 0, needed = 0;
+    for (const Pose<float>& pose : outcome.poses) {
+      const auto found = query(pose);
+      if (!found || found->distance > margins) continue;
+      ++touching;
+      needed += found->overlap == method.deep.has_value() ? 1 : 0;
+    }
+    measured.errors[0].add(static_cast<double>(needed) / std::max(touching, 1));
+    Pose<float> pose = outcome.poses.back();
+    if (method.deep) pose.position.y() -= 2 * margins;
+    measured.times.measure(kDeepCalls, [&](int) {
+      return static_cast<double>(query(pose).value_or(CoreQuery<float>{}).distance);
+    });
   }
   return measured;
 }
@@ -191,6 +244,10 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
 /// ("frames"), artificial rotation ("rotation"), and drift of the patch ("wander"). Errors against
 /// the parameter; run time is per pair and frame. A case fails if its manifold never becomes
 /// stable.
+///
+/// "queries": Catto 2007, "Deep Contact": of the frames in which a dropped box touches the floor, the
+/// share in which GJK suffices, because the cores are apart, and that in which a method for the depth
+/// is needed, over the height; run time is of a query.
 std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
                                                    const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(
@@ -204,7 +261,8 @@ std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
         "way of the patch / half length of the box", "", kWanderResolution}},
       trace::StudyForm::Curves);
   const StudyStep step =
-      counted(progress, static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods)));
+      counted(progress, static_cast<int>(std::size(kLandingPanels) * std::size(kLandingMethods) +
+                                         std::size(kCoreMethods)));
   for (const LandingPanel& panel : kLandingPanels) {
     for (int m = 0; m < 3; ++m) {
       add_line(results, {kLandingMethods[m], {}, panel.parameter, panel.parameter}, panel.values,
@@ -214,6 +272,20 @@ std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
       step(std::string(panel.parameter) + ", " + kLandingMethods[m]);
     }
   }
+  std::vector<trace::Study> queries =
+      results_of("manifold_stability", "float", "height of the drop (m)",
+                 std::to_string(options.cases.value_or(kLandingCases)) + " boxes a point, " +
+                     std::to_string(kLandingFrames) + " frames, margins of 2 cm, seed " +
+                     std::to_string(options.seed),
+                 {{"queries", "How often boxes that touch are deeper than their margins",
+                   "share of the touching frames", trace::kShare}},
+                 trace::StudyForm::Curves);
+  for (const CoreMethod& method : kCoreMethods) {
+    add_line(queries, {method.name, {}}, kDropHeights,
+             [&](double height) { return judge_queries(height, method, options); });
+    step(std::string("queries, ") + method.name);
+  }
+  results.push_back(std::move(queries.front()));
   return results;
 }
 

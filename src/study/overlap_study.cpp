@@ -2,7 +2,10 @@
 #include <cmath>
 
 #include "core/at.h"
+#include "geometry/primitives.h"
 #include "query/overlap.h"
+#include "query/penetration.h"
+#include "study/exhaustive_boxes.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 
@@ -208,9 +211,89 @@ std::vector<trace::Study> study_thresholds(const StudyOptions& options,
   return results;
 }
 
+constexpr int kOverlapsInPercent[] = {1, 2, 5, 10, 20, 40, 80};
+constexpr int kBoxPairs = 2000, kBoxRepetitions = 3;
+
+struct DeepBoxes {
+  Hull<double> a, b;
+  Pose<double> b_in_a;
+  double depth;  // metres, by brute force
+};
+
+/// Sides of 0.4 to 2 m, random rotations, on a random ray from the middle of A the place of B at
+/// which they overlap by this share of the shortest side.
+DeepBoxes deep_boxes(std::mt19937_64& engine, double share) {
+  const auto half = [&]() -> Vec3d {
+    return {uniform(engine, 0.2, 1), uniform(engine, 0.2, 1), uniform(engine, 0.2, 1)};
+  };
+  const Vec3d half_a = half(), half_b = half();
+  const Quatd rotation = uniform_rotation(engine);
+  const Vec3d ray = uniform_rotation(engine) * Vec3d::UnitX();
+  const double depth = share * 2 * std::min(half_a.minCoeff(), half_b.minCoeff());
+  const auto separation = [&](double distance) {
+    return box_separation(Obb<double>{Vec3d::Zero(), Mat3<double>::Identity(), half_a},
+                          Obb<double>{distance * ray, rotation.toRotationMatrix(), half_b});
+  };
+  double near = 0, far = half_a.norm() + half_b.norm();  // it grows along the ray
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (near + far);
+    (separation(middle) < -depth ? near : far) = middle;
+  }
+  return {make_box(half_a), make_box(half_b), {rotation, far * ray}, -separation(far)};
+}
+
+struct BoxMethod {
+  const char* name;
+  double (*depth)(const DeepBoxes& boxes);  // metres; 0: no contact
+};
+const BoxMethod kBoxMethods[] = {
+    {"all corners and edges",
+     [](const DeepBoxes& boxes) {
+       const auto found =
+           exhaustive_contact(boxes.a.half_extents, boxes.b.half_extents, boxes.b_in_a);
+       return found ? found->depth : 0;
+     }},
+    {"separating axis test",
+     [](const DeepBoxes& boxes) {
+       return penetration(PenetrationMethod::Sat, support_set(boxes.a), support_set(boxes.b),
+                          boxes.b_in_a, PenetrationOptions<double>{})
+           .depth;
+     }},
+};
+
+std::vector<trace::Study> study_boxes(const StudyOptions& options, const StudyProgress& progress) {
+  const StudyGrid grid(options, kBoxMethods, kOverlapsInPercent, kBoxPairs, kBoxRepetitions);
+  std::vector<trace::Study> results =
+      results_of("overlap", "double", "overlap, % of the shortest side",
+                 "all axes in long double, " + std::to_string(grid.cases) +
+                     " pairs of boxes a point, seed " + std::to_string(options.seed),
+                 {{"boxes", "How often two ways to find the contact of two boxes are wrong",
+                   "share of the pairs with a depth off by 5 % or more", "", 0.5 / grid.cases}});
+  std::mt19937_64 engine(options.seed);
+  std::vector<std::vector<DeepBoxes>> pairs(grid.parameters.size());
+  measure_grid(
+      grid, results, progress,
+      [&](std::size_t p) {
+        for (int i = 0; i < grid.cases; ++i)
+          pairs[p].push_back(deep_boxes(engine, 0.01 * grid.parameters[p]));
+      },
+      [&](std::size_t m, std::size_t p, Measurement& measured) {
+        for (const DeepBoxes& boxes : pairs[p]) {
+          const double depth = kBoxMethods[m].depth(boxes);
+          measured.errors[0].add(std::abs(depth - boxes.depth) >= 0.05 * boxes.depth ? 1 : 0);
+          measured.failed += depth > 0 ? 0 : 1;
+        }
+      },
+      [&](std::size_t m, std::size_t p, std::size_t i) {
+        return kBoxMethods[m].depth(pairs[p][i]);
+      });
+  record::drop_worst(results[0]);  // a share has none
+  return results;
+}
+
 }  // namespace
 
-/// Overlap tests of bounding volumes, in three results.
+/// Overlap tests of bounding volumes and boxes, in four results.
 ///
 /// "false_positives": for random boxes of 1:1:1, 3:1:1 and 10:1:1 placed where their bounds could
 /// overlap, the share of passing pairs that are separated, against the time of a test: AABBs,
@@ -222,10 +305,15 @@ std::vector<trace::Study> study_thresholds(const StudyOptions& options,
 /// edges are skipped; 1e-18 skips none. Also the test with a rounding bound, which needs no
 /// threshold. Errors below 0.03 mm, float's rounding, count as that. "wrong": the share of
 /// overlapping, or separated, pairs with that error, at least half a pair.
+///
+/// "boxes": two overlapping boxes by the lecture's search of all corners and edges
+/// (exhaustive_boxes.h) and by the separating axis test: the share whose depth is off by 5% of the
+/// least overlap, or that have no contact, which also count as failed; over the overlap.
 std::vector<trace::Study> study_overlap(const StudyOptions& options,
                                         const StudyProgress& progress) {
   std::vector<trace::Study> results = study_bounds(options, progress);
   std::ranges::move(study_thresholds(options, progress), std::back_inserter(results));
+  std::ranges::move(study_boxes(options, progress), std::back_inserter(results));
   return results;
 }
 

@@ -339,6 +339,18 @@ std::string result_of_jitter(Picture& plot) {
          plot.mark(rival.from, speed(rival)) + " with " + rival.to;
 }
 
+std::string result_of_max_points(Picture& plot) {
+  const Kept& soft = plot.row.methods.front();
+  const StudySeries& line = series_of(plot.measured, soft.from);
+  const StudyPoint &four = point_at(line, 4), &all = point_at(line, 8);
+  const auto speed = [](const StudyPoint& point) {
+    return number(1000 * error_of(point)) + " mm/s";
+  };
+  return "Four points take " + percent(four.nanoseconds.median / all.nanoseconds.median) +
+         " of the time of all eight: a stack on " + soft.to + " moves at " +
+         plot.mark(soft.from, speed(four)) + ", at " + speed(all) + " with all";
+}
+
 std::string result_of_ratios(Picture& plot) {
   double most = 0;  // the largest ratio at which any stack stands, with warm starting or without
   for (const StudySeries& series : plot.measured.series)

@@ -207,6 +207,18 @@ const std::vector<PictureRow>& picture_rows() {
           "Up: the deepest overlap that is called apart, the widest gap that is called an overlap, "
           "mm",
           {.drop_resolution = true, .scale = 1000}, &result_of_thresholds),
+      row("overlap", "boxes", kAll, kAll, "overlap of the boxes, % of the shortest side", kShare,
+          "Up: share of the pairs whose depth is off by 5 % or more. Sides of 0.4 to 2 m, random "
+          "rotations",
+          {.at = 20, .form = StudyForm::Curves, .failed = "no contact"},
+          [](Picture& plot) {
+            const char* const all = "all corners and edges";
+            const double slower = plot.point(all).nanoseconds.min /
+                                  plot.point("separating axis test").nanoseconds.min;
+            return "All corners and edges: a wrong depth for " + plot.mark(all, plot.share(all)) +
+                   " of boxes a fifth deep, and " + number(slower) +
+                   " times the time of the separating axis test";
+          }),
       row("overlap", "wrong", kThresholdTests, kAll,
           "threshold: edges at an angle with a smaller sine give no axis", kShare, "",
           {.drop_resolution = true}, &result_of_thresholds),
@@ -280,6 +292,16 @@ const std::vector<PictureRow>& picture_rows() {
           "triangles",
           {.at = 0.25}, &result_of_plate),
 
+      row("manifold_stability", "queries", kAll, kAll, "metres that a box falls", kShare,
+          "Up: share of the frames with a contact", {.at = 10},
+          [](Picture& plot) {
+            const auto time = [&](const char* method) {
+              return number(plot.point(method).nanoseconds.median / 1000) + " µs";
+            };
+            return plot.mark("EPA", plot.share("EPA")) +
+                   " of the frames need the depth of the cores, which EPA finds in " + time("EPA") +
+                   "; in the others GJK takes " + time("GJK");
+          }),
       row("solver", "jitter", kSolvers, {{"More sub-steps, an iteration each", ""}},
           "sub-steps of a frame, an iteration each", "",
           "Up: mean speed of the fastest box in the third second, mm/s",
@@ -289,6 +311,12 @@ const std::vector<PictureRow>& picture_rows() {
            .form = StudyForm::Curves,
            .left_out = kNumbersOfStacks},
           &result_of_jitter),
+      row("solver", "max_points", kSolvers, kAll, "points kept of each contact", "",
+          "Up: mean speed of the fastest box in the third second, mm/s; six boxes, at most 8 "
+          "points "
+          "a contact",
+          {.at = 4, .scale = 1000, .failed = "fell", .left_out = kNumbersOfStacks},
+          &result_of_max_points),
       row("solver", "energy", kAll, kAll, "", "",
           "Up: energy gained, of that at the start; the worst of twenty scenes", {},
           &result_of_energy),

@@ -26,10 +26,15 @@ Vec3d static_place(const StackPlan& plan, std::size_t box) {
 /// A stack that is stepped and judged.
 class StandingStack {
  public:
-  StandingStack(const StackPlan& plan, const SolverSettings& settings)
+  StandingStack(const StackPlan& plan, const SolverSettings& settings,
+                std::optional<int> max_points)
       : plan_(plan), settings_(settings) {
     settings_.slop = kStackSlop;
     settings_.speculative_margin = kStackMargin;
+    if (max_points) {
+      world_.contacts.reducer = find_reducer(kDefaultReducer);
+      world_.contacts.reduction.max_points = *max_points;
+    }
     shapes_.push_back(HalfSpace<float>{{Vec3<float>::UnitY(), 0}});
     world_.bodies.push_back(static_body<float>({}));
     const Shape<double> box = make_box(Vec3d::Constant(kHalf));
@@ -186,8 +191,9 @@ StackPlan stack_plan(std::mt19937_64& engine, int count, double ratio) {
   return plan;
 }
 
-StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames) {
-  return StandingStack(plan, settings).run(frames);
+StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames,
+                       std::optional<int> max_points) {
+  return StandingStack(plan, settings, max_points).run(frames);
 }
 
 namespace {

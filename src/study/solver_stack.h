@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -54,8 +55,10 @@ inline constexpr double kStackSlop = 0.005;   // metres; both as in Box2D for su
 inline constexpr double kStackMargin = 0.02;  // metres, speculative
 
 /// Steps the stack in float, in a world of its own. The study's slop and speculative margin replace
-/// those in `settings`. Deterministic except for times.
-StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames = kStackFrames);
+/// those in `settings`. Keeps all contact points, or up to `max_points` of a pair. Deterministic
+/// except for times.
+StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames = kStackFrames,
+                       std::optional<int> max_points = {});
 
 /// The method of `study solver` that may gain energy, as a counterexample.
 inline constexpr const char* kAllPushKept = "Baumgarte, all of its push kept";

@@ -17,6 +17,7 @@ constexpr int kCounts[] = {1, 2, 4, 8, 16, 32, 64};  // iterations, or sub-steps
 constexpr int kHeights[] = {20, 14, 9, 6, 4, 3, 2};  // boxes; the tallest is the top row of a map
 constexpr int kRatioSteps = 13;                      // two per decade, from 1 to 10^6
 constexpr int kMapCases = 2;                         // stacks per cell
+constexpr int kPointCases = 8, kPointBoxes = 6;      // stacks per number of points; equal boxes
 
 struct SolverMethod {
   const char* name;
@@ -110,7 +111,7 @@ class StackResults {
 
   /// Thread-safe.
   Measurement judge(int boxes, double ratio, const SolverMethod& method, int iterations,
-                    int substeps) {
+                    int substeps, std::optional<int> max_points = {}) {
     SolverSettings settings;
     settings.position_correction = method.correction;
     settings.warm_start = method.warm_start;
@@ -121,7 +122,7 @@ class StackResults {
     for (int i = 0; i < cases_; ++i) {
       std::mt19937_64 engine = case_engine(options_.seed, i, boxes, ratio);
       const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings,
-                                             options_.frames.value_or(kStackFrames));
+                                             options_.frames.value_or(kStackFrames), max_points);
       {
         const std::lock_guard lock(counting_);
         ++faults_[static_cast<std::size_t>(outcome.fault)];
@@ -177,6 +178,26 @@ std::vector<trace::Study> curves(const CurveStack& stack, const StudyOptions& op
                });
       step(std::string(method.name) + ", " + panel.parameter);
     }
+  }
+  return stacks.finished();
+}
+
+/// Catto 2007, "Manifold Reduction": what the points beyond the fourth cost, and what each of the
+/// first four is worth.
+std::vector<trace::Study> by_points(const StudyOptions& options, const StudyStep& step) {
+  constexpr int kMostPoints[] = {1, 2, 3, 4, 5, 6, 7, 8};
+  StackResults stacks(options, kPointCases, "points kept", trace::StudyForm::Curves,
+                      [&](const StackMeasure& m) -> StudyMeasure {
+                        if (m.value != &StackOutcome::jitter) return {};
+                        return {"max_points", "How many points of a contact a stack needs", m.error,
+                                m.unit, kStackResolution};
+                      });
+  for (const SolverMethod& method : kSolverMethods) {
+    if (!method.warm_start) continue;
+    add_line(stacks.results, {method.name, {}}, kMostPoints, [&](int most) {
+      return stacks.judge(kPointBoxes, 1, method, method.map_iterations, method.map_substeps, most);
+    });
+    step(std::string(method.name) + ", points kept");
   }
   return stacks.finished();
 }
@@ -280,17 +301,22 @@ trace::Study energies(const StudyOptions& options, const StudyStep& step) {
 /// "map", "drift_map", "jitter_map": stacks of 2 to 20 boxes, the highest of 1 to 10^6 times the
 /// others' mass, at sixteen sweeps per frame for every method.
 ///
+/// "max_points": jitter of six equal boxes, of whose contacts the usual reducer keeps at most 1 to 8
+/// points; times are of a frame, contacts and reduction included.
+///
 /// "energy": largest energy gain of any frame of a scene, over sub-steps, mean and worst of the
 /// twenty scenes of solver_stack.h; also for Baumgarte with its whole push kept as velocity.
 std::vector<trace::Study> study_solver(const StudyOptions& options, const StudyProgress& progress) {
   constexpr int kSteps =
       static_cast<int>(std::size(kCurveStacks) * std::size(kCurvePanels) + std::size(kHeights)) *
           static_cast<int>(std::size(kSolverMethods)) +
-      static_cast<int>(std::size(kEnergyMethods));
+      static_cast<int>(std::size(kEnergyMethods)) +
+      static_cast<int>(std::ranges::count(kSolverMethods, true, &SolverMethod::warm_start));
   const StudyStep step = counted(progress, kSteps);
   std::vector<trace::Study> result;
   for (const CurveStack& stack : kCurveStacks)
     std::ranges::move(curves(stack, options, step), std::back_inserter(result));
+  std::ranges::move(by_points(options, step), std::back_inserter(result));
   std::ranges::move(maps(options, step), std::back_inserter(result));
   result.push_back(energies(options, step));
   return result;

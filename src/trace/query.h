@@ -136,7 +136,7 @@ struct Intersection {
 struct Query {
   std::string requested;   // "overlap", "touching", "distance", "penetration"
   std::string bounds;      // queried bounds: "aabb", "obb", "sphere"; empty: the shapes themselves
-  std::string comparison;  // "inclusive", "exclusive"
+  std::string comparison;  // "inclusive", "exclusive", "proper"
   double tolerance = 0;    // metres
   std::string test;        // for oriented boxes: "faces", "fifteen", "guarded"
   double skip_up_to = 0;   // for "fifteen": sine of the angle between two edges

@@ -32,6 +32,7 @@
   ROW(SatAxes, "sat_axes")                     \
   ROW(SatQueries, "sat_queries")               \
   ROW(ContactAxis, "contact_axis")             \
+  ROW(Orientation, "orientation")              \
   ROW(Core, "core")                            \
   ROW(Simplex, "simplex")                      \
   ROW(Support, "support")                      \

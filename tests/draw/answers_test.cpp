@@ -68,6 +68,8 @@ TEST(Answers, AreSpelledInWords) {
   requested.pair().overlap = true;
   requested.query().comparison = "exclusive";
   EXPECT_EQ(spell_question(requested.query()), "do the oriented boxes overlap, touching left out?");
+  requested.query().comparison = "proper";
+  EXPECT_EQ(spell_question(requested.query()), "do the oriented boxes overlap, properly?");
   requested.query().tolerance = 0.02;
   EXPECT_THAT(spell_question(requested.query()), HasSubstr("within 20.0 mm"));
   requested.query().requested = "distance";

@@ -85,6 +85,24 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   }
 }
 
+// The weights solve: the fourth point is the weighted mean of the other three.
+TEST(ContactCells, TheFourthChoiceShowsItsBarycentricCoordinates) {
+  const std::vector<trace::Point> points = octagon();
+  Mat3<double> corners;
+  const std::vector<int> kept = chosen()[0].cells[0].kept;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3d& corner =
+        points[static_cast<std::size_t>(kept[static_cast<std::size_t>(k)])].position;
+    corners.col(k) = Vec3d(corner.x(), 1, corner.z());
+  }
+  const Vec3d& fourth = points[static_cast<std::size_t>(kept[3])].position;
+  const Vec3d weights = corners.inverse() * Vec3d(fourth.x(), 1, fourth.z());
+  ASSERT_LT(weights.minCoeff(), 0);
+  EXPECT_THAT(words(drawn(chosen(), 0, 1280, 720, 4)),
+              Contains("weights of 1, 2, 3 at point 4: " + spell_number(weights[0], 3) + ", " +
+                       spell_number(weights[1], 3) + ", " + spell_number(weights[2], 3)));
+}
+
 TEST(ContactCells, TheLegendOfAChoiceListsItsMarks) {
   const auto record = [](int choices) { return words(drawn(chosen(), 0, 1280, 720, choices)); };
   EXPECT_THAT(record(4), IsSupersetOf({"added outside", "triangle so far"}));

@@ -19,18 +19,20 @@ using test::PlacedShapes;
 using test::Random;
 
 constexpr Question kOverlap{.kind = QueryKind::Overlap};
-constexpr Question kExclusive{.kind = QueryKind::Overlap, .inclusive = false};
+constexpr Question kExclusive{.kind = QueryKind::Overlap, .comparison = QueryComparison::Exclusive};
+constexpr Question kProper{.kind = QueryKind::Overlap, .comparison = QueryComparison::Proper};
 constexpr Question kTouching{.kind = QueryKind::Touching};
 constexpr Question kDistance{.kind = QueryKind::Distance};
 constexpr Question kPenetration{.kind = QueryKind::Penetration};
 
 template <class S>
 Answer<S> answer_of(const PlacedShapes& pair, const Question& question,
-                    trace::Pair* record = nullptr) {
+                    trace::Pair* record = nullptr, QueryMemory* memory = nullptr) {
   const Shape<S> a = shape_cast<S>(pair.a), b = shape_cast<S>(pair.b);
   const Pose<S> pose_a = pair.pose_a.cast<S>(), pose_b = pair.pose_b.cast<S>();
   OwnBounds<S> bounds_a, bounds_b;
-  return query_pair<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, false, record);
+  return query_pair<S>({a, pose_a, bounds_a}, {b, pose_b, bounds_b}, question, false, record,
+                       kUsualStages, memory);
 }
 
 trace::Pair record_of(const PlacedShapes& pair, const Question& question) {
@@ -181,6 +183,31 @@ template <class S> void judge_random_pairs(int count, std::uint64_t seed) {
 
 TEST(PairQuery, ConvexPairsAreJudgedRightInDouble) { judge_random_pairs<double>(600, 71); }
 TEST(PairQuery, ConvexPairsAreJudgedRightInFloat) { judge_random_pairs<float>(600, 72); }
+TEST(PairQuery, GjkFindsTheDistanceFromTheLastSimplexInFewerSteps) {
+  Random random(77);
+  int from_one_point = 0, from_the_last = 0, measured = 0;
+  for (int i = 0; i < 60; ++i) {
+    PlacedShapes pair = near_pair<double>(random);
+    const double step = 1e-3 * truth_of(pair).extent;
+    QueryMemory memory;
+    for (int frame = 0; frame < 6; ++frame) {
+      pair.pose_b.position += random.vector(-step, step);
+      const Truth truth = truth_of(pair);
+      trace::Pair fresh, again;
+      answer_of<double>(pair, kDistance, &fresh);
+      const Answer<double> answer = answer_of<double>(pair, kDistance, &again, &memory);
+      const double computed = bounds_of<double>(truth, pair).computed;
+      if (truth.gap > computed) EXPECT_NEAR(*answer.gap, truth.gap, computed) << "pair " << i;
+      if (frame == 0 || !fresh.gjk) continue;
+      ++measured;
+      from_one_point += fresh.gjk->iterations;
+      from_the_last += again.gjk->iterations;
+    }
+  }
+  EXPECT_GT(measured, 100);
+  EXPECT_LT(from_the_last, 0.8 * from_one_point);
+}
+
 TEST(PairQuery, SlowConvexPairs) {
   judge_random_pairs<double>(test::cases(3'000), 73);
   judge_random_pairs<float>(test::cases(3'000), 74);
@@ -362,6 +389,8 @@ TEST(PairQuery, ExclusiveMeshesMeetWithTheirInteriors) {
   };
   EXPECT_TRUE(at(1, 0.25, kOverlap)) << "faces share an area";
   EXPECT_TRUE(at(1, 0.25, kExclusive));
+  EXPECT_FALSE(at(1, 0.25, kProper)) << "only within one plane";
+  EXPECT_TRUE(at(0.9, 0.25, kProper));
   EXPECT_TRUE(at(1, 1, kOverlap)) << "an edge of each";
   EXPECT_FALSE(at(1, 1, kExclusive));
   EXPECT_FALSE(at(1.001, 1, kOverlap));

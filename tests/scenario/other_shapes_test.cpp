@@ -3,6 +3,7 @@
 #include "core/input_error.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
+#include "support/random_geometry.h"
 
 namespace contactscope {
 namespace {
@@ -42,6 +43,50 @@ TEST(OtherShapes, StandInTheTraceWithWhatTheyAreMadeOf) {
   EXPECT_EQ(header.shapes[2].edges.size(), 1u);
   EXPECT_EQ(header.shapes[2].center_of_mass, Vec3d(2.5, 3.5, 4.5));
   EXPECT_EQ(header.shapes[4].half_space->offset, -0.5);
+}
+
+TEST(OtherShapes, ASphereTurnsAboutItsBodysOriginWithItsOwnCentre) {
+  test::Random random(19);
+  const auto spelled = [](const Vec3d& v) {
+    return "[" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ", " +
+           std::to_string(v.z()) + "]";
+  };
+  int touching = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3d center = random.vector(-1, 1), position = random.vector(-1, 1);
+    const Quatd turn = random.rotation();
+    const auto number = [&](double value) { return std::to_string(value); };
+    const Scenario scenario = parse_scenario(
+        "title = \"\"\n[pipeline]\nscalar = \"double\"\n[shapes.ball]\ntype = \"sphere\"\nradius = "
+        "0.5\ncenter = " +
+            spelled(center) + "\nposition = " + spelled(position) + "\nrotation = { quat_wxyz = [" +
+            number(turn.w()) + ", " + number(turn.x()) + ", " + number(turn.y()) + ", " +
+            number(turn.z()) +
+            "] }\n"
+            "[shapes.other]\ntype = \"sphere\"\nradius = 0.75\n",
+        "round/a.toml");
+    Runner runner(scenario);
+    const trace::Shape shape = runner.header().shapes.at(0);
+    const trace::Frame frame = runner.frame(0);
+    // Files have six digits.
+    const Vec3d middle = position + turn * center;
+    EXPECT_LT((frame.poses.at(0).second.position - position).norm(), 1e-5);
+    EXPECT_LT((frame.poses.at(0).second.transform(shape.vertices.at(0)) - middle).norm(), 1e-5);
+    const trace::Pair& pair = frame.pairs.at(0);
+    EXPECT_EQ(pair.kind, "sphere-sphere");
+    EXPECT_EQ(pair.state == "touching", middle.norm() < 1.25);
+    if (pair.manifolds.empty()) continue;
+    ++touching;
+    EXPECT_NEAR(pair.separation, middle.norm() - 1.25, 1e-5);
+    EXPECT_LT((pair.manifolds[0].normal + middle.normalized()).norm(), 1e-4);
+  }
+  EXPECT_GT(touching, 30);
+  EXPECT_THROW(
+      parse_scenario("title = \"\"\n[shapes.f]\ntype = \"sdf\"\ncell = 0.1\n[shapes.f.of]\n"
+                     "type = \"sphere\"\nradius = 1\ncenter = [1, 0, 0]\n[shapes.b]\n"
+                     "type = \"sphere\"\nradius = 1\n",
+                     "round/a.toml"),
+      InputError);
 }
 
 // The user's a and b decide, not the order in the file.

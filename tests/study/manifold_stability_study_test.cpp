@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "study/study.h"
 
 namespace contactscope {
@@ -42,8 +44,17 @@ TEST(ManifoldStabilityStudy, HasThreeMeasuresOfThreeMethodsInThreePanels) {
         of = total;
       });
   EXPECT_EQ(last, of);
-  ASSERT_EQ(studies.size(), 3U);
-  for (const trace::Study& study : studies) {
+  ASSERT_EQ(studies.size(), 4U);
+  const std::vector<trace::StudySeries>& queries = studies[3].series;
+  ASSERT_EQ(queries.size(), 5U);
+  for (std::size_t p = 0; p < queries[0].points.size(); ++p)
+    for (std::size_t deep = 1; deep < queries.size(); ++deep)
+      EXPECT_NEAR(*queries[0].points[p].error + *queries[deep].points[p].error, 1, 1e-12)
+          << "either GJK suffices, or the depth is needed";
+  // From 10 m it falls by 23 cm a frame, past both margins; from 10 cm by 2 cm, half of them.
+  EXPECT_GT(*queries[1].points.back().error, 0);
+  EXPECT_EQ(*queries[1].points.front().error, 0);
+  for (const trace::Study& study : std::span(studies).first(3)) {
     ASSERT_EQ(study.series.size(), 9U) << study.measure;
     for (const trace::StudySeries& series : study.series) {
       EXPECT_EQ(series.points.size(), 7U) << series.method;

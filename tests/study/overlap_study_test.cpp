@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <numbers>
+
+#include "study/exhaustive_boxes.h"
 #include "study/study.h"
 
 namespace contactscope {
@@ -14,7 +17,7 @@ std::vector<trace::Study> small_study(int cases) {
 
 TEST(OverlapStudy, LooserBoundsLetMoreThroughAndNoneLosesAnOverlap) {
   const std::vector<trace::Study> studies = small_study(3000);
-  ASSERT_EQ(studies.size(), 3u);
+  ASSERT_EQ(studies.size(), 4u);
   const trace::Study& bounds = studies[0];
   EXPECT_EQ(bounds.measure, "false_positives");
   ASSERT_EQ(bounds.series.size(), 4u);
@@ -36,6 +39,39 @@ TEST(OverlapStudy, LooserBoundsLetMoreThroughAndNoneLosesAnOverlap) {
     EXPECT_GT(six, 0.02);
     EXPECT_EQ(*bounds.series[3].points[p].error, 0);
   }
+}
+
+// A corner in the middle of a face, and two ridges that have passed each other.
+TEST(OverlapStudy, TheLecturesSearchFindsWhatItsSlidesDraw) {
+  const Vec3d cube = Vec3d::Ones();
+  const Quatd on_corner = Quatd::FromTwoVectors(Vec3d::Ones(), Vec3d::UnitY());
+  const auto corner = exhaustive_contact(cube, cube, {on_corner, {0.1, 0.9 + std::sqrt(3), 0.2}});
+  ASSERT_TRUE(corner.has_value());
+  EXPECT_NEAR(corner->depth, 0.1, 1e-12);
+  EXPECT_LT((corner->normal - Vec3d::UnitY()).norm(), 1e-12);
+  const Pose<double> across{Quatd(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3d::UnitX())), {}};
+  const Pose<double> ridge{Quatd(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3d::UnitZ())), {}};
+  const Vec3d bar(3, 1, 1), other(1, 1, 3);
+  // Two ridges that cross at right angles, 0.2 past each other along y.
+  const Pose<double> b_in_a = [&] {
+    const Pose<double> b{ridge.rotation, {0.3, 2 * std::sqrt(2.0) - 0.2, 0.4}};
+    return relative_pose(across, b);
+  }();
+  const auto edges = exhaustive_contact(bar, other, b_in_a);
+  ASSERT_TRUE(edges.has_value());
+  EXPECT_NEAR(edges->depth, 0.2, 1e-12);
+  EXPECT_LT((across.rotate(edges->normal) - Vec3d::UnitY()).norm(), 1e-12);
+}
+
+TEST(OverlapStudy, TheLecturesSearchGetsDeepBoxesWrong) {
+  const trace::Study study = small_study(300).back();
+  EXPECT_EQ(study.measure, "boxes");
+  const auto& [lecture, sat] = std::pair(study.series.at(0), study.series.at(1));
+  for (const trace::StudyPoint& point : sat.points) {
+    EXPECT_EQ(*point.error, 0);
+    EXPECT_EQ(point.failed, 0);
+  }
+  EXPECT_GT(*lecture.points.back().error, 0.2);
 }
 
 TEST(OverlapStudy, ALowThresholdMissesAHighOneSeesPhantomsAndTheGuardDoesNeither) {

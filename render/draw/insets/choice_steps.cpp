@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/at.h"
@@ -26,6 +27,7 @@ struct ChoicePen : Pen {
   const std::vector<Point2>& places;
   const ContactCell& cell;
   std::size_t wanted;
+  bool is_alone;
 
   const std::vector<int>& kept = cell.kept;
   const std::vector<trace::Choice>& choices = cell.choices;
@@ -143,6 +145,7 @@ struct ChoicePen : Pen {
     sides(measure, 2.5, kContact);
     if (!by_distance) {
       labels.push_back(area_label(from, to, point, spelled));
+      if (is_alone && shown == 4) weights(point);
       return;
     }
     // The measure that decided, and the area gained.
@@ -151,6 +154,26 @@ struct ChoicePen : Pen {
     const double area = 0.5 * std::abs(contactscope::cross(to - from, point - from)) /
                         std::pow(plane.pixels_per_metre, 2);
     labels.push_back(area_label(from, to, point, spell_area(area)));
+  }
+
+  /// The talk's remark: the areas with the three edges, over that of the triangle, are the
+  /// barycentric coordinates of the fourth point; the least one is that of the corner across.
+  void weights(const Vec2d& point) {
+    const Vec2d corners[3] = {place(kept[0]), place(kept[1]), place(kept[2])};
+    const double twice = contactscope::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    std::array<std::string, 3> spelled;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2d &from = corners[(k + 1) % 3], &to = corners[(k + 2) % 3];
+      const double weight = contactscope::cross(to - from, point - from) / twice;
+      spelled[k] = spell_number(weight, 3);
+      if (!(weight > 0)) continue;
+      const double area = 0.5 * weight * std::abs(twice) / std::pow(plane.pixels_per_metre, 2);
+      const Vec2d middle_of_edge = 0.5 * (from + to);
+      labels.push_back({middle_of_edge + 0.17 * (corners[k] - middle_of_edge),
+                        "+" + spell_area(area), kDropped, false, true});
+    }
+    text("weights of 1, 2, 3 at point 4: " + spelled[0] + ", " + spelled[1] + ", " + spelled[2],
+         pixel(plane.map.right(), plane.map.bottom()), Align::Right, kText);
   }
 
   /// Perpendicular from the line of the edge to a point. Returns its foot.
@@ -228,9 +251,9 @@ struct ChoicePen : Pen {
 }  // namespace
 
 void draw_choice(const ContactPlane& plane, const std::vector<Point2>& places,
-                 const ContactCell& cell, int shown) {
+                 const ContactCell& cell, int shown, bool is_alone) {
   const Pen pen(plane.drawing(), plane.scale(), kLabelSize);
-  ChoicePen{pen, plane, places, cell, static_cast<std::size_t>(shown)}.run();
+  ChoicePen{pen, plane, places, cell, static_cast<std::size_t>(shown), is_alone}.run();
 }
 
 }  // namespace contactscope::draw

@@ -249,7 +249,7 @@ void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) 
   plane.fill(pixels(all), with_alpha(kClipPolygon, 0.10f));
   if (choices_ > 0) {
     plane.outline(pixels(all), 2, kClipPolygon);
-    draw_choice(plane, places, cell, choices_);
+    draw_choice(plane, places, cell, choices_, cell_count() == 1);
     return;
   }
   const std::vector<Vec2d> kept = polygon_of(cell.kept);

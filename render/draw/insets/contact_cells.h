@@ -146,8 +146,9 @@ class ContactCells {
 
 /// Draws the first `shown` choices of a reducer, the last one with its candidates. Gregorius 2015,
 /// "Contact Point Reduction: 1st Point" to "4th Point (4)": the value of each candidate, and why
-/// the last choice won. `places`: of all points.
+/// the last choice won; if the picture `is_alone`, also the barycentric coordinates of the fourth
+/// point. `places`: of all points.
 void draw_choice(const ContactPlane& plane, const std::vector<Point2>& places,
-                 const ContactCell& cell, int shown);
+                 const ContactCell& cell, int shown, bool is_alone);
 
 }  // namespace contactscope::draw

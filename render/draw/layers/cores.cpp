@@ -225,7 +225,19 @@ void draw_sum(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   label(0, 0.15 * distance, "cores " + spell_margin(distance) + " apart", kAxisText, -side);
 }
 
+/// Gregorius 2015, "Collision Shapes": a sphere's centre is local to its body.
+void draw_body_origin(const PlacedShape& ball, Sketch& sketch) {
+  const Vec3d &origin = ball.pose.position, &center = ball.vertices.front();
+  if (origin == center) return;
+  sketch.line(origin, center, {1.5f, kShapeEdge, true});
+  sketch.mark(MarkKind::Node, origin, kShapeEdge);
+  sketch.label(origin, "origin of the body", kText, 15, 9);
+}
+
 void draw_cores(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  for (const std::string* name : {&pair.a, &pair.b})
+    if (const PlacedShape* shape = scene.find(*name); shape != nullptr && is_ball(*shape))
+      draw_body_origin(*shape, sketch);
   if (!pair.incremental) return draw_radii(scene, pair, sketch);
   const double margin_a = pair.incremental->margin_a, margin_b = pair.incremental->margin_b;
   bool any = false;

@@ -4,7 +4,8 @@
 #include "draw/scene/quantity.h"
 
 /// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": layer sat_axes shows the best axis of
-/// each query, layer contact_axis the chosen axis and the edges that define it.
+/// each query, layer contact_axis the chosen axis and the edges that define it, layer orientation why
+/// the axis of two edges points out of A.
 namespace contactscope::draw {
 namespace {
 
@@ -145,6 +146,42 @@ void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sk
   }
 }
 
+constexpr Swatch kFromCenterSwatch{LegendGroup::Axes, 8,
+                                   [](auto& pen) { pen.arrow(2, 8, kShapeEdge); }};
+constexpr Swatch kOutwardSwatch{LegendGroup::Forces, 4,
+                                [](auto& pen) { pen.arrow(3, 10, kNormal); }};
+constexpr Swatch kInwardSwatch{LegendGroup::Forces, 5,
+                               [](auto& pen) { pen.open_arrow(2, kDropped); }};
+
+/// Gregorius 2015, "Hull vs Hull: Normal Orientation": of both directions of the edges' axis, the
+/// normal is the one along o - c, from A's centre to a vertex of its edge.
+void draw_orientation(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const PlacedShape* const a = scene.find(pair.a);
+  if (!pair.sat || !pair.sat->edge || a == nullptr) return;
+  const trace::EdgeAxis& edge = *pair.sat->edge;
+  for (const auto& [name, index] : {std::pair{&pair.a, edge.a}, {&pair.b, edge.b}})
+    if (const auto ends = scene.edge(*name, index))
+      sketch.line((*ends)[0], (*ends)[1], {5.0f, kAxis});
+  const auto ends = scene.edge(pair.a, edge.a);
+  if (!ends) return;
+  constexpr float kLength = 95, kReversed = 60;  // pixels
+  const Vec3d c = a->pose.transform(a->traced().center_of_mass), &o = (*ends)[0];
+  sketch.arrow_to_scale(c, o - c, 2.5f, 10, kShapeEdge);
+  sketch.arrow(o, edge.normal, kLength, 3.5f, 12, kNormal);
+  sketch.arrow(o, Vec3d(-edge.normal), kReversed, 2.0f, 9, kDropped).open = true;
+  sketch.mark(MarkKind::Node, c, kShapeEdge);
+  sketch.mark(MarkKind::Node, o, kAxisText);
+  sketch.label(c, "c", kText, 20, 8);
+  sketch.label(o, "o", kText, 20, 8, Vec3d((*ends)[0] - (*ends)[1]));
+  const double along = edge.normal.dot(o - c);
+  sketch.label(0.5 * (o + c), "n · (o − c) = " + spell_length(along, 0, scene.scales.length), kText,
+               18, 12);
+  sketch.explain(kDecidingEdgesSwatch, "edges that make the axis");
+  sketch.explain(kFromCenterSwatch, "o − c, from A's centre to its edge");
+  sketch.explain(kOutwardSwatch, "normal n, along it");
+  sketch.explain(kInwardSwatch, "the opposite direction, into A");
+}
+
 }  // namespace
 
 const LayerDrawing kSatAxesLayer{
@@ -161,5 +198,7 @@ const LayerDrawing kContactAxisLayer{
           draw_deciding_edges(scene, pair, sketch);
         },
 };
+
+const LayerDrawing kOrientationLayer{.needs = {&Stages::sat}, .search = draw_orientation};
 
 }  // namespace contactscope::draw

@@ -76,6 +76,7 @@ std::string spell_question(const trace::Query& query) {
   const std::string compared = query.tolerance > 0 ? ", within " + spell_length(query.tolerance)
                                : query.requested == "touching"   ? ""
                                : query.comparison == "exclusive" ? ", touching left out"
+                               : query.comparison == "proper"    ? ", properly"
                                                                  : ", touching included";
   return "do " + things + verb + compared + "?";
 }
