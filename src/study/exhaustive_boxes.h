@@ -24,7 +24,7 @@ namespace exhaustive {
 
 /// Slides 27 and 28: a corner inside of a box leaves it along the shallowest of the box's axes, by
 /// the returned vector in the box's frame; nothing if it is outside.
-inline std::optional<Vec3d> way_out(const Vec3d& corner, const HalfExtents& half) {
+inline std::optional<Vec3d> displacement_out(const Vec3d& corner, const HalfExtents& half) {
   const Vec3d depths = half - corner.cwiseAbs();
   int axis = 0;
   const double least = depths.minCoeff(&axis);
@@ -54,20 +54,24 @@ inline std::array<Edge, 12> edges_of(const HalfExtents& half, const Pose<double>
   return edges;
 }
 
-/// Slide 29: how far two edges have passed each other where they cross; nothing if they do not
-/// cross, are parallel, or have not passed. `outward`: from A's centre to its edge.
-inline std::optional<ExhaustiveContact> crossing(const Edge& a, const Edge& b,
-                                                 const Vec3d& outward) {
-  Vec3d normal = a.half.cross(b.half);
-  const double area = normal.norm();
+/// Slide 29: how far two edges have passed each other, where each is inside of the other box;
+/// nothing if they are parallel, or have not passed. `outward`: from A's centre to its edge.
+/// `is_inside(on_a, on_b)`: of the points where their lines are closest.
+template <class IsInside>
+std::optional<ExhaustiveContact> crossing(const Edge& a, const Edge& b, const Vec3d& outward,
+                                          const IsInside& is_inside) {
+  const Vec3d cross = a.half.cross(b.half), between = b.middle - a.middle;
+  const double area = cross.norm();
   if (area <= 1e-9 * a.half.norm() * b.half.norm()) return std::nullopt;
-  normal *= (normal.dot(outward) < 0 ? -1 : 1) / area;
-  const Vec3d between = b.middle - a.middle;
+  const Vec3d normal = (cross.dot(outward) < 0 ? -1 : 1) / area * cross;
   const double depth = -normal.dot(between);
   // Where the lines are closest, as shares of the half edges.
-  const double on_a = between.cross(b.half).dot(normal) / a.half.cross(b.half).dot(normal);
-  const double on_b = between.cross(a.half).dot(normal) / a.half.cross(b.half).dot(normal);
-  if (std::abs(on_a) > 1 || std::abs(on_b) > 1 || depth <= 0) return std::nullopt;
+  const double on_a = between.cross(b.half).dot(cross) / (area * area);
+  const double on_b = between.cross(a.half).dot(cross) / (area * area);
+  const bool cross_each_other = std::abs(on_a) <= 1 && std::abs(on_b) <= 1;
+  if (depth <= 0 || !cross_each_other ||
+      !is_inside(Vec3d(a.middle + on_a * a.half), Vec3d(b.middle + on_b * b.half)))
+    return std::nullopt;
   return ExhaustiveContact{depth, normal};
 }
 
@@ -84,16 +88,21 @@ inline std::optional<ExhaustiveContact> exhaustive_contact(const HalfExtents& a,
   };
   for (int i = 0; i < 8; ++i) {
     const Vec3d of_b = b_in_a.transform(exhaustive::corner_of(b, i));
-    if (const auto out = exhaustive::way_out(of_b, a)) keep(out->norm(), out->stableNormalized());
+    if (const auto out = exhaustive::displacement_out(of_b, a))
+      keep(out->norm(), out->stableNormalized());
     const Vec3d of_a = b_in_a.inverse_transform(exhaustive::corner_of(a, i));
-    if (const auto out = exhaustive::way_out(of_a, b))
+    if (const auto out = exhaustive::displacement_out(of_a, b))
       keep(out->norm(), b_in_a.rotate(-out->stableNormalized()));
   }
+  const auto is_inside = [&](const Vec3d& on_a, const Vec3d& on_b) {
+    return (on_b.cwiseAbs() - a).maxCoeff() <= 0 &&
+           (b_in_a.inverse_transform(on_a).cwiseAbs() - b).maxCoeff() <= 0;
+  };
   const auto edges_a = exhaustive::edges_of(a, {}), edges_b = exhaustive::edges_of(b, b_in_a);
   for (const exhaustive::Edge& of_a : edges_a) {
     std::optional<ExhaustiveContact> shallowest;
     for (const exhaustive::Edge& of_b : edges_b) {
-      const auto found = exhaustive::crossing(of_a, of_b, of_a.middle);
+      const auto found = exhaustive::crossing(of_a, of_b, of_a.middle, is_inside);
       if (found && (!shallowest || found->depth < shallowest->depth)) shallowest = found;
     }
     if (shallowest) keep(shallowest->depth, shallowest->normal);

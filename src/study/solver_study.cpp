@@ -185,7 +185,7 @@ std::vector<trace::Study> curves(const CurveStack& stack, const StudyOptions& op
 /// Catto 2007, "Manifold Reduction": what the points beyond the fourth cost, and what each of the
 /// first four is worth.
 std::vector<trace::Study> by_points(const StudyOptions& options, const StudyStep& step) {
-  constexpr int kMostPoints[] = {1, 2, 3, 4, 5, 6, 7, 8};
+  constexpr int kPointCounts[] = {1, 2, 3, 4, 5, 6, 7, 8};
   StackResults stacks(options, kPointCases, "points kept", trace::StudyForm::Curves,
                       [&](const StackMeasure& m) -> StudyMeasure {
                         if (m.value != &StackOutcome::jitter) return {};
@@ -194,7 +194,7 @@ std::vector<trace::Study> by_points(const StudyOptions& options, const StudyStep
                       });
   for (const SolverMethod& method : kSolverMethods) {
     if (!method.warm_start) continue;
-    add_line(stacks.results, {method.name, {}}, kMostPoints, [&](int most) {
+    add_line(stacks.results, {method.name, {}}, kPointCounts, [&](int most) {
       return stacks.judge(kPointBoxes, 1, method, method.map_iterations, method.map_substeps, most);
     });
     step(std::string(method.name) + ", points kept");

@@ -136,7 +136,7 @@ TEST(QueryBounds, TouchingBoundsTouch) {
     EXPECT_EQ(requested<double>(pair_at(0.5), question).answer.touching, false);
     question = {.kind = QueryKind::Overlap, .bounds = bounds};
     EXPECT_TRUE(requested<double>(pair_at(1), question).answer.overlap);
-    question.inclusive = false;
+    question.comparison = QueryComparison::Exclusive;
     EXPECT_FALSE(requested<double>(pair_at(1), question).answer.overlap);
     EXPECT_TRUE(requested<double>(pair_at(0.875), question).answer.overlap);
   }

@@ -169,7 +169,10 @@ template <class S> void judge(const Scene& scene, bool swapped, Tally& tally) {
   const double computed = rounding_of_double(scene);
   const double rounded = static_cast<double>(std::numeric_limits<S>::epsilon()) * std::abs(gap);
   const auto query_for = [&](QueryKind kind, bool inclusive = true) {
-    return answer_of<S>(scene.pair, swapped, {.kind = kind, .inclusive = inclusive});
+    return answer_of<S>(
+        scene.pair, swapped,
+        {.kind = kind,
+         .comparison = inclusive ? QueryComparison::Inclusive : QueryComparison::Exclusive});
   };
   const Answer<S> inclusive = query_for(QueryKind::Overlap);
   const Answer<S> exclusive = query_for(QueryKind::Overlap, false);

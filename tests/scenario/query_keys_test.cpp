@@ -39,9 +39,9 @@ TEST(QueryKeys, AreReadAndOverriddenPairByPair) {
   EXPECT_EQ(first.bounds, QueryMethod::Obb);
   EXPECT_EQ(first.test.axes, ObbAxes::Fifteen);
   EXPECT_EQ(first.test.skip_up_to, 0.001);
-  EXPECT_TRUE(first.inclusive);
+  EXPECT_TRUE(first.inclusive());
   const Question& second = scenario.pairs[1].pipeline.question;
-  EXPECT_FALSE(second.inclusive);
+  EXPECT_FALSE(second.inclusive());
   EXPECT_EQ(second.test.axes, ObbAxes::Faces);
   const Question& third = scenario.pairs[2].pipeline.question;
   EXPECT_EQ(third.kind, QueryKind::Touching);

@@ -156,7 +156,7 @@ struct ChoicePen : Pen {
     labels.push_back(area_label(from, to, point, spell_area(area)));
   }
 
-  /// The talk's remark: the areas with the three edges, over that of the triangle, are the
+  /// The areas with the three edges, over that of the triangle, are the
   /// barycentric coordinates of the fourth point; the least one is that of the corner across.
   void weights(const Vec2d& point) {
     const Vec2d corners[3] = {place(kept[0]), place(kept[1]), place(kept[2])};

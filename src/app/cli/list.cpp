@@ -2,11 +2,11 @@
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "app/cli/catalogue.h"
+#include "app/cli/source_map.h"
 #include "app/cli/verbs.h"
 #include "broadphase/broad_phase.h"
 #include "continuous/impact_of_shapes.h"
@@ -16,15 +16,6 @@
 #include "view/title.h"
 #include "view/words.h"
 
-namespace contactscope {
-
-/// scenarios/sources.tsv and course.tsv: lines of id, place in the document, claim, and the scenes,
-/// studies or files that show it, separated by tabs; after a line of headings.
-std::string_view sources();
-std::string_view course();
-
-}  // namespace contactscope
-
 namespace contactscope::app {
 namespace {
 
@@ -33,24 +24,18 @@ struct Item {
   std::string summary;
 };
 
-/// The lines whose ids begin with a letter, or all.
-std::vector<Item> items_of_map(std::string_view map, std::string_view letter) {
-  std::vector<Item> items;
-  std::istringstream lines{std::string(map)};
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::istringstream cells(line);
-    std::string id, place, claim, shown;
-    std::getline(cells, id, '\t');
-    std::getline(cells, place, '\t');
-    std::getline(cells, claim, '\t');
-    std::getline(cells, shown);
-    if (id.starts_with(letter))
-      items.push_back(
-          {id, place + ": " + claim + "  [" + (shown.empty() ? "nothing" : shown) + "]"});
-  }
-  return items;
+std::vector<Item> items_of_map(const std::string& what) {
+  return mapped(source_rows(what), [](const SourceRow& row) {
+    std::string shown;
+    for (const std::string& one : row.shown) shown += (shown.empty() ? "" : ", ") + one;
+    return Item{row.id,
+                row.place + ": " + row.claim + "  [" + (shown.empty() ? "nothing" : shown) + "]"};
+  });
+}
+
+bool is_map(const std::string& what) {
+  return std::ranges::find(kListed, "sources") <= std::ranges::find(kListed, what) &&
+         std::ranges::count(kListed, what) > 0;
 }
 
 std::vector<Item> items_of(const std::string& what, const Options& options) {
@@ -68,11 +53,7 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   if (what == "panels") return mapped(kPanelNames, name_alone);
   if (what == "studies") return mapped(studies(), with_summary);
   if (what == "words") return mapped(known_words(), name_alone);
-  if (what == "sources") return items_of_map(sources(), "");
-  if (what == "course") return items_of_map(course(), "");
-  for (const auto& [document, letter] :
-       {std::pair("gregorius", "G"), {"catto", "C"}, {"survey", "S"}, {"lecture", "L"}})
-    if (what == document) return items_of_map(sources(), letter);
+  if (is_map(what)) return items_of_map(what);
   return mapped(scenario_files(options.scenario_root), [](const std::string& file) {
     const Scenario scenario = load_scenario(file);
     return Item{scenario.name, plain_title(scenario.title)};
@@ -80,6 +61,14 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
 }
 
 ExitCode run_list(const Options& options) {
+  if (options.formats != Options{}.formats) {
+    if (options.formats != std::vector<std::string>{"html"} || !is_map(options.what))
+      throw UsageError(
+          "only 'list sources', a document of them, and 'list course' are pages; "
+          "write list sources --format html");
+    std::cout << write_source_page(options.what, options) << '\n';
+    return ExitCode::Same;
+  }
   std::vector<std::string> kinds(kListed.begin(), std::ranges::find(kListed, "sources"));
   if (!options.what.empty()) kinds = {options.what};
   nlohmann::ordered_json json;
@@ -117,6 +106,7 @@ Verb list_verb() {
           "Examples:\n"
           "  contactscope list scenarios\n"
           "  contactscope list sources\n"
+          "  contactscope list course --format html\n"
           "Exit codes: 0 done, 2 an error."};
 }
 
