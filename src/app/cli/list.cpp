@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -70,9 +71,8 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   if (what == "words") return mapped(known_words(), name_alone);
   if (what == "sources") return items_of_map(sources(), "");
   if (what == "course") return items_of_map(course(), "");
-  for (const auto& [document, letter] :
-       {std::pair("gregorius", "G"), {"catto", "C"}, {"survey", "S"}, {"lecture", "L"}})
-    if (what == document) return items_of_map(sources(), letter);
+  if (what != "scenarios")  // one document, whose ids begin with its initial
+    return items_of_map(sources(), std::string(1, static_cast<char>(std::toupper(what[0]))));
   return mapped(scenario_files(options.scenario_root), [](const std::string& file) {
     const Scenario scenario = load_scenario(file);
     return Item{scenario.name, plain_title(scenario.title)};
@@ -100,9 +100,8 @@ ExitCode run_list(const Options& options) {
     for (const Item& item : items) width = std::max(width, item.name.size());
     for (const Item& item : items) {
       std::cout << indent << item.name;
-      if (!item.summary.empty()) {
+      if (!item.summary.empty())
         std::cout << std::string(width - item.name.size() + 2, ' ') << item.summary;
-      }
       std::cout << '\n';
     }
   }
