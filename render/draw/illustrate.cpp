@@ -301,9 +301,8 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
 Stages stages_shown(const std::vector<View>& views) {
   Stages stages = Stages::none();
   const auto add = [&](const auto& needs) {
-    for (const auto stage : needs) {
+    for (const auto stage : needs)
       if (stage != nullptr) stages.*stage = true;
-    }
   };
   for (const View& view : views) {
     for (const Layer layer : view.layers) add(kLayers[static_cast<std::size_t>(layer)]->needs);

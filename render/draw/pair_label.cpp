@@ -3,7 +3,6 @@
 #include <ranges>
 #include <set>
 
-#include "draw/scene/answers.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/solid.h"
@@ -52,9 +51,8 @@ const PlacedShape* labelled_body(const Scene& scene, const trace::Pair& pair) {
 // An unnamed pair is named by its features if the view shows features: "edge on face: 2 points".
 // Queries of bounds add their answer, because it is the picture's subject.
 std::string pair_label_text(const Scene& scene, const trace::Pair& pair) {
-  if (!pair.label.empty()) {
+  if (!pair.label.empty())
     return pair.query && !pair.query->bounds.empty() ? label_with_answer(pair) : pair.label;
-  }
   if (!scene.shows(Layer::Features) || pair.manifolds.size() != 1) return {};
   const trace::Manifold& manifold = pair.manifolds.front();
   const std::size_t count = manifold.points.size();

@@ -7,10 +7,9 @@
 #include <numbers>
 
 #include "core/at.h"
-#include "draw/scene/answers.h"
-#include "draw/scene/contact_facts.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/home_region.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
@@ -42,9 +41,8 @@ struct Cloud {
   std::vector<Vec3d> points, last;
 
   void add(std::vector<Vec3d> frame) {
-    for (std::size_t i = 0; i < frame.size(); ++i) {
+    for (std::size_t i = 0; i < frame.size(); ++i)
       if (i >= last.size() || frame[i] != last[i]) points.push_back(frame[i]);
-    }
     last = std::move(frame);
   }
 };
@@ -191,9 +189,8 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
 
   // Without a target, the view's eye looks at the middle of all shapes.
   Vec3d direction = viewing_direction(header, extent.normal);
-  if (view.eye) {
+  if (view.eye)
     direction = (*view.eye - view.target.value_or(center_of(extent.shapes))).normalized();
-  }
   const Vec3d up = up_axis(header);
   const auto fit = [&](std::vector<Vec3d> points, double share,
                        const std::vector<Vec3d>& more = {}) {

@@ -6,8 +6,6 @@
 #include "draw/insets/contact_cells.h"
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
-#include "draw/magnifier.h"
-#include "draw/scene/moments.h"
 #include "draw/title.h"
 #include "draw/viewports.h"
 #include "trace/trace.h"

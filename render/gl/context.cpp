@@ -116,13 +116,11 @@ std::unique_ptr<Context> open_context(Backend backend, const Libraries& librarie
   };
   if (backend != Backend::Osmesa) {
     if (auto context = opened(egl_surfaceless_route(libraries.egl))) return context;
-    for (const Route& route : egl_device_routes(libraries.egl)) {
+    for (const Route& route : egl_device_routes(libraries.egl))
       if (auto context = opened(route)) return context;
-    }
   }
-  if (backend != Backend::Egl) {
+  if (backend != Backend::Egl)
     if (auto context = opened(osmesa_route(libraries.osmesa))) return context;
-  }
   throw ContextError("no OpenGL 3.3 context without a display; tried" + failures);
 }
 

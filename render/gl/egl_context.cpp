@@ -19,9 +19,8 @@ struct Egl {
   bool has_extension(EGLDisplay display, std::string_view wanted) const {
     const char* list = query_string(display, EGL_EXTENSIONS);
     std::istringstream words(list ? list : "");
-    for (std::string word; words >> word;) {
+    for (std::string word; words >> word;)
       if (word == wanted) return true;
-    }
     return false;
   }
   /// Null if EGL does not have the function.
@@ -54,13 +53,11 @@ class EglContext final : public Context {
       : Context(std::move(route)), egl_(egl), display_(display) {
     if (!egl_.initialize(display_, nullptr, nullptr)) fail(egl_, "eglInitialize");
     for (const char* extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
-      if (!egl_.has_extension(display_, extension)) {
+      if (!egl_.has_extension(display_, extension))
         throw ContextError(std::string("the driver has no ") + extension);
-      }
     }
-    if (!egl_.bind_api(EGL_OPENGL_API)) {
+    if (!egl_.bind_api(EGL_OPENGL_API))
       throw ContextError("the driver has no desktop OpenGL, only OpenGL ES");
-    }
     const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
                              3,
                              EGL_CONTEXT_MINOR_VERSION,
@@ -79,9 +76,8 @@ class EglContext final : public Context {
 
  private:
   void bind() override {
-    if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+    if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
       fail(egl_, "eglMakeCurrent");
-    }
   }
   void unbind() override {
     egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

@@ -41,9 +41,8 @@ class OsmesaContext final : public Context {
 
  private:
   void bind() override {
-    if (!osmesa_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide)) {
+    if (!osmesa_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide))
       throw ContextError("OSMesaMakeCurrent failed");
-    }
   }
   void unbind() override { osmesa_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
 

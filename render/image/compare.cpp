@@ -24,9 +24,8 @@ int channel_difference(const Image& a, const Image& b, int x, int y) {
   const std::uint8_t* pixel_a = &a.rgb[3 * index(a.width, x, y)];
   const std::uint8_t* pixel_b = &b.rgb[3 * index(b.width, x, y)];
   int largest = 0;
-  for (int channel = 0; channel < 3; ++channel) {
+  for (int channel = 0; channel < 3; ++channel)
     largest = std::max(largest, std::abs(pixel_a[channel] - pixel_b[channel]));
-  }
   return largest;
 }
 

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <new>
@@ -143,9 +142,8 @@ std::string sha256(std::string_view bytes) {
   for (std::size_t i = 0; i < padded.size(); i += 64)
     add_block(reinterpret_cast<const unsigned char*>(padded.data()) + i, hash);
   std::string hex;
-  for (const std::uint32_t word : hash) {
+  for (const std::uint32_t word : hash)
     for (int shift = 28; shift >= 0; shift -= 4) hex += "0123456789abcdef"[word >> shift & 0xF];
-  }
   return hex;
 }
 

@@ -42,9 +42,8 @@ void write_png(const std::string& path, const Image& image, int level, const Png
 }
 
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw PngError(name + ": cannot be read as a PNG: larger than 2 GB");
-  }
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<unsigned char, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
@@ -139,6 +138,24 @@ Bytes deflated_rows(const Image& image, const PixelBox& box, int level) {
     }
   }
   return zlib_stream({rows.get(), size}, level);
+}
+
+std::vector<std::pair<std::string, std::string>> entries_of(const PictureOrigin& origin) {
+  std::vector<std::pair<std::string, std::string>> entries;
+  const auto add = [&](const char* key, const std::string& value) {
+    if (!value.empty()) entries.emplace_back(key, value);
+  };
+  add("Title", origin.title);
+  if (!origin.version.empty()) add("Software", "contactscope " + origin.version);
+  add("Scenario", origin.scenario);
+  if (origin.frames.empty())
+    add("Frame", std::to_string(origin.frame));
+  else
+    add("Frames", origin.frames);
+  add("View", origin.view);
+  add("Scenario SHA-256", origin.sha256);
+  add("Command", origin.command);
+  return entries;
 }
 
 }  // namespace contactscope

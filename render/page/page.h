@@ -1,17 +1,44 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "draw/staging.h"
-#include "image/picture_origin.h"
-#include "page/groups.h"
+#include "image/png.h"
 #include "vector/font_subset.h"
 
 /// A self-contained HTML file with all frames of a sequence: SVG pictures, a slider, keyboard
 /// control, layer switches, and facts of the trace about the object under the pointer.
 namespace contactscope::page {
+
+/// A group of a picture in SVG: one part of the drawing.
+struct SvgGroup {
+  std::string layer, pair, role;  // as in draw::Part, escaped as in SVG
+  std::string markup;             // its content
+
+  friend auto operator<=>(const SvgGroup&, const SvgGroup&) = default;
+};
+
+/// Non-empty groups of a picture written by svg_of().
+std::vector<SvgGroup> groups_in(std::string_view svg);
+
+/// Distinct groups of many pictures. Repeated groups in one picture get different numbers, because
+/// the page inserts each number at one place.
+class GroupStore {
+ public:
+  /// Returns the groups' numbers, in order.
+  std::vector<int> add(const std::vector<SvgGroup>& groups);
+  /// `<g id="g7" ...>...</g>`, one per line.
+  std::string text(int number) const;
+  int size() const { return static_cast<int>(in_order_.size()); }
+
+ private:
+  std::map<std::pair<SvgGroup, int>, int> numbers_;
+  std::vector<const SvgGroup*> in_order_;
+};
 
 class Page {
  public:

@@ -160,9 +160,8 @@ std::vector<PointFacts> point_facts(const draw::Staging& staging, const trace::F
   for (const trace::Pair& pair : frame.pairs) {
     const std::string parts = parts_of(pair);
     std::vector<std::string> layers;
-    for (const Layer layer : kPointLayers) {
+    for (const Layer layer : kPointLayers)
       if (shows_layer(drawing, name_of(layer), parts)) layers.emplace_back(name_of(layer));
-    }
     const PairPoints points{staging, pair, layers, all};
     if (!layers.empty()) points.add_contacts();
     points.add_dropped(shows_layer(drawing, name_of(Layer::Reduced), parts),

@@ -20,9 +20,8 @@ std::string size_of(const Image& image) {
 /// Description for people: "picture differs in 19 pixels, ...".
 std::string describe(const PixelComparison& comparison, const Image& expected,
                      const Image& actual) {
-  if (comparison.verdict == PixelVerdict::SizeDiffers) {
+  if (comparison.verdict == PixelVerdict::SizeDiffers)
     return "picture has size " + size_of(actual) + ", stored is " + size_of(expected);
-  }
   const PixelBox& box = comparison.largest_cluster_at;
   std::string text = "picture differs in " + std::to_string(comparison.differing) + " pixels";
   text += ", " + std::to_string(comparison.largest_cluster) + " of them together at x ";

@@ -1,9 +1,8 @@
-#include "snapshot/first_cause.h"
+#include "snapshot/compare_trace.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "snapshot/finding.h"

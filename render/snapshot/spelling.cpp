@@ -66,14 +66,12 @@ std::array<std::string, 2> spell_both(double expected, double actual) {
     decimals = std::max(0, 1 - exponent(difference));
     // -0.005 next to -0.25 must not read 0.00; much smaller numbers may.
     const double smaller = std::min(std::abs(expected), std::abs(actual));
-    if (smaller > 0 && -exponent(smaller) <= decimals + 2) {
+    if (smaller > 0 && -exponent(smaller) <= decimals + 2)
       decimals = std::max(decimals, -exponent(smaller));
-    }
   }
   const bool large = std::max(std::abs(expected), std::abs(actual)) >= 1e15;
-  if (decimals > kMaxDecimals || large) {
+  if (decimals > kMaxDecimals || large)
     return {printed("%.*g", 17, expected), printed("%.*g", 17, actual)};
-  }
   return {fixed(expected, decimals), fixed(actual, decimals)};
 }
 
@@ -98,9 +96,8 @@ std::string spell_change(std::span<const int> expected, std::span<const int> act
 std::string spell_move(const Vec3d& expected, const Vec3d& actual) {
   const Vec3d move = actual - expected;
   const double distance = move.norm();
-  if (!(distance > 0) || !std::isfinite(distance)) {
+  if (!(distance > 0) || !std::isfinite(distance))
     return "moved from " + spell_vector(expected) + " to " + spell_vector(actual);
-  }
   const Vec3d direction = move / distance;
   std::string along = spell_vector(direction);
   // within about a degree of an axis
@@ -117,9 +114,8 @@ std::string spell_turn(const Vec3d& expected, const Vec3d& actual) {
   const double angle = std::atan2(sine, cosine);
   constexpr double kDegree = std::numbers::pi / 180;
   const double stretch = std::abs(actual.norm() - expected.norm());
-  if (!std::isfinite(angle) || stretch > angle) {
+  if (!std::isfinite(angle) || stretch > angle)
     return "changed " + spell_vector(expected) + " -> " + spell_vector(actual);
-  }
   if (angle > 179 * kDegree) return "flipped";
   return "turned by " + spell_angle(angle);
 }

@@ -32,9 +32,8 @@ fs::path without_word(const fs::path& file) {
 }
 
 void require_plain(const std::string& name, const std::string& whole) {
-  if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
+  if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
     throw std::invalid_argument("'" + whole + "' cannot name a snapshot's folder");
-  }
 }
 
 }  // namespace
@@ -49,9 +48,8 @@ std::string frame_stem(int frame) { return printed("frame_%04d", frame); }
 
 fs::path scenario_folder(const fs::path& root, const std::string& scenario) {
   const std::size_t slash = scenario.find('/');
-  if (slash == std::string::npos) {
+  if (slash == std::string::npos)
     throw std::invalid_argument("'" + scenario + "' is not a scenario: expected <group>/<idea>");
-  }
   const std::string group = scenario.substr(0, slash), idea = scenario.substr(slash + 1);
   require_plain(group, scenario);
   require_plain(idea, scenario);

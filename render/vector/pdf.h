@@ -3,7 +3,7 @@
 #include <string>
 
 #include "draw/scene/drawing.h"
-#include "image/picture_origin.h"
+#include "image/png.h"
 
 namespace contactscope::vector {
 

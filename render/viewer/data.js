@@ -25,10 +25,9 @@ async function inflate(element) {
   return new Uint8Array(await new Response(stream.readable).arrayBuffer());
 }
 
-/** The fields of facts.h, in their order. */
-const [POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT] =
-  [0, 1, 2, 9, 10, 11, 12, 13, 14, 15, 18, 24, 25, 26, 27, 28, 31];
-const FIELDS = 34, CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in coder.h
+/** The fields of facts.h, in their order; the page has their numbers. */
+let POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS;
+const CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in coder.h
 /** `size` last values, and then the bits of their last differences. */
 const lastOf = size => new Int32Array(2 * size);
 
@@ -77,8 +76,9 @@ const impulseOf = steps => steps === 0 ? NaN : ((bits[0] = (steps - 1) << 13), a
 const fineOf = steps => Math.abs(steps) < 2048 ? steps : ((bits[0] = (Math.abs(steps) + (137 << 11)) << 12), Math.sign(steps) * asFloat[0]);
 
 function unpack(bytes) {
-  const length = new DataView(bytes.buffer).getUint32(0, true), read = reader(bytes, 4 + length);
-  const data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), { counts, quantum } = data, frames = data.frames.length;
+  const length = new DataView(bytes.buffer).getUint32(0, true), data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
+  [POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS] = data.fields;
+  const { counts, quantum } = data, frames = data.frames.length, read = reader(bytes, 4 + length);
   data.forms = data.forms.map(form => JSON.parse(form));
   data.shapes = Object.entries(data.header.shapes).map(([name, shape]) => ({ ...shape, name }));
   const bodies = data.shapes.length, single = Array.from({ length: FIELDS }, () => lastOf(1)), lastPose = data.shapes.map(() => lastOf(7));

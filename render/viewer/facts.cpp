@@ -85,6 +85,9 @@ PackedFacts::PackedFacts(const trace::Header& header)
   json_ = {{"quantum", quantum_},       {"place", kCoarser * quantum_},
            {"unit", kCoarser / kUnits}, {"fine", fine_},
            {"units", kUnits},           {"header", shortened(to_json_line(header))}};
+  json_["fields"] = {kPoses,      kPoseBody, kPose,           kPairs,  kPair,  kSteady,
+                     kLayoutSize, kLayout,   kPairSeparation, kNormal, kPoint, kSame,
+                     kInteger,    kText,     kScalar,         kPlace,  kUnit,  kFields};
   for (const char* list : {"frames", "times", "pairs", "texts", "forms"})
     json_[list] = ordered_json::array();
   for (const char* object : {"masses", "deformed"}) json_[object] = ordered_json::object();

@@ -12,8 +12,8 @@
 /// The facts of a sequence in a compact form: shapes once, then integers.
 namespace contactscope::viewer {
 
-/// The fields of the integers, as in data.js. Each is stored as its difference from the one of the
-/// same body, or of the same place in the pair's last list.
+/// The fields of the integers, in the order of data.js; the page has their numbers. Each is stored
+/// as its difference from the one of the same body, or of the same place in the pair's last list.
 enum Field {
   kPoses,     // number in a frame
   kPoseBody,  // predicted: the next body

@@ -10,7 +10,7 @@
 #include "draw/scene/theme.h"
 #include "find/finder.h"
 #include "image/encoding.h"
-#include "vector/markup.h"
+#include "vector/svg.h"
 
 namespace contactscope::viewer {
 namespace {

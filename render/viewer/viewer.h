@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "draw/staging.h"
-#include "image/picture_origin.h"
+#include "image/png.h"
 #include "lint/linter.h"
 #include "viewer/facts.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
-#include "app/render/origin.h"
+#include "app/render/figure_canvas.h"
 #include "core/input_error.h"
 
 namespace contactscope::app {

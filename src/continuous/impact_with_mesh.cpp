@@ -1,14 +1,18 @@
 #include "continuous/impact_with_mesh.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "broadphase/broad_phase.h"
 #include "continuous/approach.h"
-#include "continuous/swept_sphere.h"
+#include "continuous/portal_cast.h"
 #include "core/instantiate.h"
+#include "query/mesh_overlap.h"
 
 namespace contactscope {
 namespace {
@@ -100,6 +104,180 @@ void visit_near(const Mesh<S>& a, const Sweep<double>& of_a, const Mesh<S>& b,
   }
 }
 
+constexpr double kNoOverlap = std::numeric_limits<double>::infinity();
+
+/// A box at time 0 and one at time 1. Points that move linearly from one to the other are in the
+/// linearly interpolated box at every time.
+template <class S> struct SweptBox { const Aabb<S>&start, &end; };
+
+/// Lower bound of the first time at which two swept boxes overlap; kNoOverlap if never.
+template <class S> double first_overlap(const SweptBox<S>& a, const SweptBox<S>& b) {
+  constexpr double kUp = 0x1p-50;  // more than the rounding below
+  double begin = 0, end = 1;
+  const auto is_separated = [&](S low_at_start, S high_at_start, S low_at_end, S high_at_end) {
+    const double at_start = static_cast<double>(low_at_start) - static_cast<double>(high_at_start);
+    const double at_end = static_cast<double>(low_at_end) - static_cast<double>(high_at_end);
+    if (at_start > 0 && at_end > 0) return true;
+    const double crossing = at_start / (at_start - at_end);
+    if (at_start > 0) begin = std::max(begin, crossing * (1 - kUp));
+    if (at_end > 0) end = std::min(end, crossing + kUp);
+    return begin > end;
+  };
+  for (int i = 0; i < 3; ++i) {
+    if (is_separated(b.start.lower[i], a.start.upper[i], b.end.lower[i], a.end.upper[i]) ||
+        is_separated(a.start.lower[i], b.start.upper[i], a.end.lower[i], b.end.upper[i]))
+      return kNoOverlap;
+  }
+  return begin;
+}
+
+/// A mesh with its tree at both ends of the step, and the features that each triangle owns.
+template <class S> class SweptMesh {
+ public:
+  explicit SweptMesh(const MovingMesh<S>& moving)
+      : mesh_(moving.start), end_(moving.end), end_tree_(moving.start.tree) {
+    assert(moving.end.size() == mesh_.vertices.size());
+    end_tree_.refit(end_, mesh_.triangles);
+    std::vector<bool> is_owned(mesh_.vertices.size());
+    owned_.resize(mesh_.triangles.size());
+    for (int t = 0; t < mesh_.triangle_count(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const auto vertex = static_cast<std::size_t>(at(at(mesh_.triangles, t), k));
+        at(owned_, t).vertex[static_cast<std::size_t>(k)] = !is_owned[vertex];
+        is_owned[vertex] = true;
+        at(owned_, t).edge[static_cast<std::size_t>(k)] = is_first_with_edge(t, k);
+      }
+    }
+  }
+
+  const AabbTree<S>& tree() const { return mesh_.tree; }
+  SweptBox<S> node(int i) const { return {at(tree().nodes, i).box, at(end_tree_.nodes, i).box}; }
+  SweptBox<S> leaf_box(int place) const {
+    return {at(tree().boxes, place), at(end_tree_.boxes, place)};
+  }
+  bool owns_vertex(int triangle, int k) const { return at(at(owned_, triangle).vertex, k); }
+  bool owns_edge(int triangle, int k) const { return at(at(owned_, triangle).edge, k); }
+
+  MovingCorner<S> corner(int triangle, int k) const {
+    const int vertex = at(at(mesh_.triangles, triangle), k);
+    return {at(mesh_.vertices, vertex), at(end_, vertex)};
+  }
+  MovingFace<S> face(int triangle) const {
+    return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+  }
+  MovingEdge<S> edge(int triangle, int k) const {
+    return {corner(triangle, k), corner(triangle, (k + 1) % 3)};
+  }
+
+ private:
+  /// A neighbour with the same two vertices shares the edge. A neighbour with other vertices at the
+  /// same place does not: they may separate.
+  bool is_first_with_edge(int triangle, int k) const {
+    const int neighbour = mesh_.neighbour(triangle, k);
+    if (neighbour < 0 || triangle < neighbour) return true;
+    const auto& corners = at(mesh_.triangles, neighbour);
+    const auto has = [&](int vertex) {
+      return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+    };
+    const auto& own = at(mesh_.triangles, triangle);
+    return !(has(at(own, k)) && has(at(own, (k + 1) % 3)));
+  }
+
+  struct Owned {
+    std::array<bool, 3> vertex, edge;
+  };
+  const Mesh<S>& mesh_;
+  std::span<const Vec3<S>> end_;
+  AabbTree<S> end_tree_;
+  std::vector<Owned> owned_;  // by triangle
+};
+
+template <class S> class MeshSearch {
+ public:
+  MeshSearch(const MovingMesh<S>& a, const MovingMesh<S>& b) : a_(a), b_(b) {}
+
+  MeshImpact first() {
+    push(0, 0);
+    while (!stack_.empty() && found_.impact.status != FeatureStatus::Overlapping) {
+      const NodePair pair = stack_.back();
+      stack_.pop_back();
+      if (pair.begin >= best_) continue;
+      const auto& node_a = at(a_.tree().nodes, pair.a);
+      const auto& node_b = at(b_.tree().nodes, pair.b);
+      if (node_a.leaf() && node_b.leaf()) {
+        leaves(node_a, node_b);
+        continue;
+      }
+      const bool splits_a =
+          !node_a.leaf() && (node_b.leaf() || surface_area(node_a.box) >= surface_area(node_b.box));
+      const std::size_t before = stack_.size();
+      if (splits_a) {
+        push(pair.a + 1, pair.b);
+        push(a_.tree().right_of(pair.a), pair.b);
+      } else {
+        push(pair.a, pair.b + 1);
+        push(pair.a, b_.tree().right_of(pair.b));
+      }
+      // The earlier one is popped first.
+      if (stack_.size() == before + 2 && stack_[before].begin < stack_[before + 1].begin)
+        std::swap(stack_[before], stack_[before + 1]);
+    }
+    return found_;
+  }
+
+ private:
+  using Node = typename AabbTree<S>::Node;
+  struct NodePair {
+    int a, b;
+    double begin;
+  };
+
+  void push(int a, int b) {
+    ++found_.counts.node_pairs;
+    const double begin = first_overlap(a_.node(a), b_.node(b));
+    if (begin < best_) stack_.push_back({a, b, begin});
+  }
+
+  void leaves(const Node& node_a, const Node& node_b) {
+    for (int i = node_a.next; i < node_a.next + node_a.count; ++i) {
+      for (int j = node_b.next; j < node_b.next + node_b.count; ++j) {
+        if (!(first_overlap(a_.leaf_box(i), b_.leaf_box(j)) < best_)) continue;
+        ++found_.counts.triangle_pairs;
+        triangles(at(a_.tree().triangles, i), at(b_.tree().triangles, j));
+      }
+    }
+  }
+
+  void triangles(int a, int b) {
+    for (int i = 0; i < 3; ++i) {
+      if (a_.owns_vertex(a, i))
+        offer(impact_of_vertex_face(a_.corner(a, i), b_.face(b), best_), a, i, b, -1);
+      if (b_.owns_vertex(b, i)) {
+        FeatureImpact impact = impact_of_vertex_face(b_.corner(b, i), a_.face(a), best_);
+        impact.normal = -impact.normal;  // from a to b
+        offer(impact, a, -1, b, i);
+      }
+      if (!a_.owns_edge(a, i)) continue;
+      const MovingEdge<S> edge = a_.edge(a, i);
+      for (int j = 0; j < 3; ++j) {
+        if (b_.owns_edge(b, j)) offer(impact_of_edges(edge, b_.edge(b, j), best_), a, i, b, j);
+      }
+    }
+  }
+
+  void offer(const FeatureImpact& impact, int a, int feature_a, int b, int feature_b) {
+    ++found_.counts.feature_pairs;
+    if (impact.status == FeatureStatus::Separated || impact.begin >= best_) return;
+    best_ = impact.begin;
+    found_ = {impact, a, b, feature_a, feature_b, feature_a >= 0 && feature_b >= 0, found_.counts};
+  }
+
+  SweptMesh<S> a_, b_;
+  double best_ = kNoOverlap;  // time
+  std::vector<NodePair> stack_;
+  MeshImpact found_;
+};
+
 }  // namespace
 
 template <class S>
@@ -175,5 +353,20 @@ ShapeImpact<double> impact_of_rigid_meshes(const Mesh<S>& a, const Sweep<double>
 }
 
 CONTACTSCOPE_FLOAT_AND_DOUBLE(impact_with_mesh, impact_of_rigid_meshes);
+
+template <class S> MeshImpact impact_of_meshes(const MovingMesh<S>& a, const MovingMesh<S>& b) {
+  const MeshOverlap<S> at_start = mesh_overlap(a.start, b.start, Pose<S>());
+  if (at_start.overlapping()) {
+    MeshImpact found;
+    found.impact = {.status = FeatureStatus::Overlapping, .begin = 0, .end = 0};
+    found.triangle_a = at_start.intersections[0].a;
+    found.triangle_b = at_start.intersections[0].b;
+    return found;
+  }
+  return MeshSearch<S>(a, b).first();
+}
+
+template decltype(impact_of_meshes<float>) impact_of_meshes<float>;
+template decltype(impact_of_meshes<double>) impact_of_meshes<double>;
 
 }  // namespace contactscope

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "continuous/impact_of_shapes.h"
+#include "continuous/moving_features.h"
+#include "geometry/mesh.h"
 
 namespace contactscope {
 
@@ -43,5 +47,40 @@ ImpactResult<double> impact_by(ImpactMethod method, const A& a, const MovingShap
              ? conservative_advancement(a, b, allowed, run)
              : time_of_impact(a, b, allowed, run);
 }
+
+/// A mesh that deforms or moves in a step, each vertex on a straight line. Refers to its data.
+template <class S> struct MovingMesh {
+  const Mesh<S>& start;          // vertices and tree at time 0
+  std::span<const Vec3<S>> end;  // vertices at time 1, in the same frame, metres
+};
+
+/// Cost of the search.
+struct MeshImpactCounts {
+  std::int64_t node_pairs = 0;      // swept boxes of nodes tested against each other
+  std::int64_t triangle_pairs = 0;  // triangles whose swept boxes overlap before the best time
+  std::int64_t feature_pairs = 0;   // vertex-face and edge-edge tests of those triangles
+};
+
+struct MeshImpact {
+  FeatureImpact impact;                  // the first one
+  int triangle_a = -1, triangle_b = -1;  // of these features; -1 when Separated
+  /// Corner 0 to 2 of the triangle, or its edge from that corner on. -1 for the face of the
+  /// triangle; both -1 for triangles that overlap at the start.
+  int feature_a = -1, feature_b = -1;
+  bool is_edges = false;  // else vertex-face or face-vertex
+  MeshImpactCounts counts;
+};
+
+/// The first time in a step at which two deforming meshes meet, both in one frame. Never late, like impact_of_vertex_face() and impact_of_edges(): triangles that are
+/// separated at the start first meet at such features. Triangles that share a point at the start
+/// (an exact test) are Overlapping, whatever comes later. A Near before every Hit is returned. Both
+/// meshes need one end per vertex.
+///
+/// A node's box, interpolated from its boxes at the start and end, contains its triangles at every
+/// time. Of two children, the one whose boxes overlap first is visited first; nodes whose overlap
+/// begins after the best time are skipped. Shared vertices and edges are tested once: one of their
+/// triangles owns them (Curtis, Tamstorf and Manocha 2008, "Fast Collision Detection for Deformable
+/// Models Using Representative-Triangles").
+template <class S> MeshImpact impact_of_meshes(const MovingMesh<S>& a, const MovingMesh<S>& b);
 
 }  // namespace contactscope

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "broadphase/world_box.h"
+#include "broadphase/broad_phase.h"
 #include "core/instantiate.h"
 
 namespace contactscope {

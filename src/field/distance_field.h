@@ -252,7 +252,7 @@ inline Field<double> field_shape(const PlacedField& placed, const Shape<double>&
 /// Builds the field of a shape: a sphere, a capsule, a hull or a mesh.
 ///
 /// Steps: 1. close the surface (closed_surface.h); 2. compute distances at the coarse nodes, and
-/// find the blocks that the band reaches (survey_blocks.cpp); 3. sign the coarse nodes: two nodes
+/// find the blocks that the band reaches (fill_block.cpp); 3. sign the coarse nodes: two nodes
 /// whose distances add up to more than the distance between them have one sign, as the surface
 /// cannot pass between; elsewhere the winding number decides; 4. give fine nodes to the blocks in
 /// the band, and 5. sign them likewise; 6. store in surface cells all triangles that can be nearest

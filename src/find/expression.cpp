@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 
 namespace contactscope::find {
 

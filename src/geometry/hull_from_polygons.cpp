@@ -9,7 +9,7 @@
 
 #include "core/at.h"
 #include "core/manifold.h"
-#include "geometry/area_vector.h"
+#include "geometry/predicates.h"
 
 namespace contactscope {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/area_vector.h"
+#include "geometry/predicates.h"
 
 namespace contactscope::quickhull {
 

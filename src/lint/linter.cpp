@@ -1,6 +1,5 @@
 #include "lint/linter.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -35,8 +35,6 @@ enum class Form {
   PlanesTurned,
 };
 
-// forms.cpp
-
 /// Whether a form applies to a shape.
 bool takes(const trace::Shape& shape, Form form);
 

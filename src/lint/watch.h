@@ -35,9 +35,9 @@ std::unique_ptr<Watch> watch_rotations();
 /// motion.cpp: falling and resting bodies compared with gravity, weights and the up axis.
 std::unique_ptr<Watch> watch_motion(const trace::Header& header);
 
-/// records.cpp: duplicate pairs, pairs without points, times that do not increase.
+/// causes.cpp: duplicate pairs, pairs without points, times that do not increase.
 std::unique_ptr<Watch> watch_records();
-/// friction.cpp: perpendicular to the normal, bounded by the normal impulse, against sliding.
+/// velocities.cpp: friction perpendicular to the normal, bounded by its impulse, against sliding.
 std::unique_ptr<Watch> watch_friction();
 /// velocities.cpp: compared with displacements.
 std::unique_ptr<Watch> watch_velocities();

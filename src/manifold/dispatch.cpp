@@ -9,7 +9,7 @@
 #include "manifold/hull_seams.h"
 #include "manifold/in_double.h"
 #include "manifold/merge_triangles.h"
-#include "manifold/round_order.h"
+#include "manifold/round_contact.h"
 
 namespace contactscope {
 namespace {

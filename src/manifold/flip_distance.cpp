@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kReach = 0.01;  // as a fraction of the smaller shape
 constexpr int kHalvings = 12;    // bisection steps between a change and its double
-constexpr int kMaxPlaces = 1 << 20;
+constexpr int kMaxFlipPlaces = 1 << 20;
 
 /// The identity of a pair's points: ids, with the triangle of a mesh.
 using Names = std::vector<std::pair<int, FeatureId>>;
@@ -116,7 +116,7 @@ trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<
 
   const S largest = static_cast<S>(std::max(size, exact.position.lpNorm<Eigen::Infinity>()));
   const S unit = std::nextafter(largest, std::numeric_limits<S>::infinity()) - largest;
-  double places = kMaxPlaces;
+  double places = kMaxFlipPlaces;
   for (int axis = 0; axis < 3; ++axis)
     for (const S sign : {S(1), S(-1)})
       places = std::floor(least_change(1, places, [&](double change) {
@@ -124,7 +124,7 @@ trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<
         pose.position[axis] += sign * unit * static_cast<S>(std::floor(change));
         return names_at(pose) != names;
       }));
-  if (places < kMaxPlaces) found.last_places = static_cast<int>(places);
+  if (places < kMaxFlipPlaces) found.last_places = static_cast<int>(places);
   return found;
 }
 

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <memory_resource>
 #include <numeric>
 #include <tuple>
 

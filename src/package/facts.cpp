@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/at.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 #include "core/spell.h"
 #include "package/contactscope/version.h"
 #include "scenario/run_facts.h"

@@ -1,14 +1,18 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/pose.h"
 #include "geometry/shape.h"
+#include "image/image.h"
+#include "package/contactscope/render.h"
 #include "package/contactscope/shape.h"
 #include "package/contactscope/trace.h"
 #include "trace/json.h"
+#include "trace/trace.h"
 
 /// Conversions between the package's plain data and the library's types. In the package, the
 /// library's types have qualified names: contactscope::Manifold<double>.
@@ -54,5 +58,13 @@ const char* name_of(Scalar scalar);
 /// Throws std::invalid_argument: "there is no layer 'shape'; did you mean 'shapes'? there is ...".
 [[noreturn]] void refuse(const std::string& what, const std::string& word,
                          const std::vector<std::string_view>& known);
+
+/// Draws the frames with the indices `which`, with the camera fitted to the frames `fitted`, and
+/// passes each picture to `take`. Throws as render() does.
+void draw_frames(const contactscope::trace::Header& header,
+                 const std::vector<contactscope::trace::Frame>& fitted,
+                 const std::vector<contactscope::trace::Frame>& frames,
+                 const std::vector<std::size_t>& which, const RenderOptions& options,
+                 const std::function<void(std::size_t, Image)>& take);
 
 }  // namespace contactscope::package

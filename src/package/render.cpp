@@ -9,7 +9,6 @@
 #include "image/png.h"
 #include "overlay/panels.h"
 #include "package/facts.h"
-#include "package/picture.h"
 #include "scenario/scenario.h"
 
 namespace contactscope::package {

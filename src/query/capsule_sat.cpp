@@ -8,7 +8,6 @@
 #include "geometry/lanes.h"
 #include "query/closest_points.h"
 #include "query/fast/point_faces.h"
-#include "query/hull_feature.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
 

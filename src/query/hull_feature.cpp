@@ -21,8 +21,8 @@ template <class S> bool has_all(const Hull<S>& hull, int face, const Corners& co
 }
 
 /// Outward normal of a side plane with the length of its edge, which avoids a square root.
-template <class S> struct Side {
-  Side(const Hull<S>& hull, int half_edge, const Vec3<S>& face_normal)
+template <class S> struct SidePlane {
+  SidePlane(const Hull<S>& hull, int half_edge, const Vec3<S>& face_normal)
       : origin(hull.origin(half_edge)),
         normal(Vec3<S>(hull.target(half_edge) - origin).cross(face_normal)),
         // Between 1 and 1.8 times the edge's length.
@@ -76,7 +76,7 @@ template <class S> int nearest_outside_edge(const Hull<S>& hull, int face, const
   int best = at(hull.face_edges, face);
   S farthest = S(0);  // squared
   for (const int edge : hull.around_face(face)) {
-    const S outside = Side<S>(hull, edge, normal).distance(point);  // times the edge's length
+    const S outside = SidePlane<S>(hull, edge, normal).distance(point);  // times the edge's length
     const S squared_length = (hull.target(edge) - hull.origin(edge)).squaredNorm();
     if (outside > S(0) && outside * outside / squared_length > farthest) {
       farthest = outside * outside / squared_length;
@@ -90,7 +90,7 @@ template <class S>
 bool projects_into(const Hull<S>& hull, int face, const Vec3<S>& point, S thickness) {
   const Vec3<S>& normal = at(hull.planes, face).normal;
   for (const int edge : hull.around_face(face)) {
-    const Side<S> side(hull, edge, normal);
+    const SidePlane<S> side(hull, edge, normal);
     if (side.distance(point) > thickness * side.length) return false;
   }
   return true;
@@ -102,7 +102,7 @@ ClippedSegment<S> clip_to_prism(const Hull<S>& hull, int face, const Vec3<S> (&e
   const Vec3<S>& normal = at(hull.planes, face).normal;
   ClippedSegment<S> clipped;
   for (const int edge : hull.around_face(face)) {
-    const Side<S> side(hull, edge, normal);
+    const SidePlane<S> side(hull, edge, normal);
     cut(side.distance(ends[0]), side.distance(ends[1]), thickness * side.length, edge, clipped);
     if (clipped.empty()) break;
   }

@@ -1,11 +1,11 @@
 #include <vector>
 
-#include "continuous/impact_of_meshes.h"
 #include "continuous/impact_of_shapes.h"
+#include "continuous/impact_with_mesh.h"
 #include "core/at.h"
 #include "geometry/mesh.h"
+#include "scenario/between_frames.h"
 #include "scenario/deform.h"
-#include "scenario/impact_facts.h"
 
 namespace contactscope {
 namespace {

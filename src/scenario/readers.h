@@ -12,7 +12,7 @@
 #include <toml++/toml.h>
 
 #include "core/input_error.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 #include "core/vec3.h"
 #include "scenario/keys.h"
 #include "scenario/scenario.h"
@@ -133,7 +133,7 @@ Pose<double> read_pose(const Value& table, const Pose<double>& otherwise);
 /// kLargestLength until then.
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time);
 
-// shapes.cpp, mesh_shape.cpp, sdf_shape.cpp, deform_keys.cpp
+// shapes.cpp, mesh_shape.cpp, placement.cpp
 
 /// Context for reading a shape.
 struct Surroundings {
@@ -145,7 +145,7 @@ struct Surroundings {
 /// The [shapes] table, in file order. `end_time`: time of the last frame in seconds.
 std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& surroundings,
                                        double end_time);
-/// scatter.cpp: the copies of `model` for a `scatter` key, named NAME_1, NAME_2, ..., each with its
+/// The copies of `model` for a `scatter` key, named NAME_1, NAME_2, ..., each with its
 /// position and size. `table` is the shape's table.
 std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& scatter,
                                      const Value& table);
@@ -210,8 +210,6 @@ std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& sha
 void leave_out_unanswered(Scenario& scenario);
 /// Index of the shape with the name in `value`.
 int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes);
-
-// patches.cpp
 
 /// Reads a file of [[patch]], except `title`, `source` and `tags`, into `scenario`. `value`: its
 /// patches.

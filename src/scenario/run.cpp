@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "broadphase/world_box.h"
+#include "broadphase/broad_phase.h"
 #include "core/at.h"
 #include "dynamics/sleep.h"
 #include "manifold/dispatch.h"
@@ -14,7 +14,6 @@
 #include "manifold/incremental.h"
 #include "scenario/active_pair.h"
 #include "scenario/between_frames.h"
-#include "scenario/deforming_mesh.h"
 #include "scenario/pair_chooser.h"
 #include "scenario/run_facts.h"
 

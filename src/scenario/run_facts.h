@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/at.h"
-#include "dynamics/rest.h"
+#include "dynamics/sleep.h"
 #include "dynamics/solver.h"
 #include "field/distance_field.h"
 #include "manifold/recorder.h"

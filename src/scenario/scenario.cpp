@@ -217,13 +217,11 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   check_title(*title, scenario);
   if (const auto views = file.find("views")) {
     scenario.views = read_views(*views);
-    for (const Value& view : views->array_of_tables()) {
+    for (const Value& view : views->array_of_tables())
       if (const auto own = view.find("title")) check_title(*own, scenario);
-    }
   }
-  for (View& view : scenario.views) {
+  for (View& view : scenario.views)
     if (!view.title) view.title = scenario.title;
-  }
   // Only pictures need the words; this checks them.
   if (const auto words = file.find("words")) read_words_table(*words, names_in_pictures(scenario));
   if (const auto expect = file.find("expect"))

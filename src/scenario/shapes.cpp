@@ -4,10 +4,10 @@
 
 #include "core/at.h"
 #include "geometry/hull_builder.h"
+#include "geometry/mesh_seams.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
 #include "geometry/shape.h"
-#include "geometry/shape_seams.h"
 #include "geometry/triangulate.h"
 #include "scenario/readers.h"
 

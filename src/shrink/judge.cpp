@@ -1,4 +1,4 @@
-#include "shrink/judge.h"
+#include "shrink/shrink.h"
 
 #include <algorithm>
 #include <cctype>

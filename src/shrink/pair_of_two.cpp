@@ -1,4 +1,4 @@
-#include "shrink/pair_of_two.h"
+#include "shrink/shrink.h"
 
 #include <cmath>
 #include <numbers>

@@ -8,7 +8,6 @@
 #include "core/at.h"
 #include "field/distance_field.h"
 #include "manifold/field_contact.h"
-#include "study/closed_mesh.h"
 #include "study/field_peer.h"
 #include "study/random_cases.h"
 #include "study/study.h"

@@ -1,17 +1,11 @@
 #include "study/exploration.h"
 
-#include <algorithm>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <tuple>
-#include <utility>
 
-#include "core/at.h"
 #include "core/workers.h"
-#include "reduce/reducer.h"
 #include "scenario/run.h"
-#include "study/explorer.h"
 #include "trace/find.h"
 
 namespace contactscope {

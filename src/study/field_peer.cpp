@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "versus/engine.h"
+#include "versus/request.h"
 
 namespace contactscope {
 namespace {

@@ -7,7 +7,6 @@
 #include "geometry/hull_builder.h"
 #include "geometry/mesh_seams.h"
 #include "geometry/primitives.h"
-#include "geometry/shape_seams.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 

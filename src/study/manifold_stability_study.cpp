@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/at.h"
-#include "dynamics/rest.h"
+#include "dynamics/sleep.h"
 #include "dynamics/solver.h"
 #include "geometry/primitives.h"
 #include "manifold/incremental.h"

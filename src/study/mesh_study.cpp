@@ -5,7 +5,7 @@
 
 #include "core/at.h"
 #include "query/mesh_query_cost.h"
-#include "study/closed_mesh.h"
+#include "study/random_cases.h"
 #include "study/study.h"
 
 namespace contactscope {

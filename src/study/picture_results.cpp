@@ -1,4 +1,4 @@
-#include "study/picture_row.h"
+#include "study/picture.h"
 
 #include <functional>
 #include <map>

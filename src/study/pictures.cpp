@@ -2,7 +2,7 @@
 
 #include "core/at.h"
 #include "core/spell.h"
-#include "study/picture_row.h"
+#include "study/picture.h"
 
 namespace contactscope {
 namespace {
@@ -67,7 +67,7 @@ const std::vector<Kept> kBulletPanels = {
     {"boxes, a wall of 1 cm", "Boxes of about 8 cm"},
     {"spinning rods, a wall of 1 cm", "Spinning rods of 62 cm"}};
 
-const std::vector<Kept> kGhostFloors = {{"one mesh", "one mesh"},
+const std::vector<Kept> kDrawnFloors = {{"one mesh", "one mesh"},
                                         {"T-junctions", "T-junctions"},
                                         {"cracks of 1 µm", "cracks of 1 µm"},
                                         {"cracks of 0.1 mm", "cracks of 0.1 mm"},
@@ -268,7 +268,7 @@ const std::vector<PictureRow>& picture_rows() {
           {.at = 10}, &result_of_bullets),
       row("tunnelling", "early", kStops, kBulletPanels, "m/s", "", ""),
 
-      row("ghost", "thrown", kGhostFloors, kGhostSliders, "m/s", "", "",
+      row("ghost", "thrown", kDrawnFloors, kGhostSliders, "m/s", "", "",
           {.at = 12, .drop_resolution = true, .error = "height, on floors that are all flat"},
           &result_of_ghosts),
 

@@ -165,9 +165,8 @@ Real vertices_to_faces(const Core& a, const Core& b) {
 
 Real distance(const Core& a, const Core& b) {
   Real best = std::min(vertices_to_faces(a, b), vertices_to_faces(b, a));
-  for (const auto& edge_a : a.edges) {
+  for (const auto& edge_a : a.edges)
     for (const auto& edge_b : b.edges) best = std::min(best, segment_to_segment(edge_a, edge_b));
-  }
   return best;
 }
 
@@ -212,9 +211,8 @@ Axis best_face(const Core& core, const Core& other) {
   Axis best;
   for (std::size_t f = 0; f < core.normals.size(); ++f) {
     Real least = kInfinity;
-    for (const Vec& vertex : other.vertices) {
+    for (const Vec& vertex : other.vertices)
       least = std::min(least, core.normals[f].dot(Vec(vertex - core.faces[f].front())));
-    }
     best.offer(least, core.normals[f]);
   }
   return best;
@@ -297,13 +295,11 @@ double SeparationOracle::separation() const {
   if (a_.is_plane || b_.is_plane) {
     const OracleBody& plane = a_.is_plane ? a_ : b_;
     const Core& core = (a_.is_plane ? b_ : a_).cores.front();
-    for (const Vec& vertex : core.vertices) {
+    for (const Vec& vertex : core.vertices)
       least = std::min(least, plane.normal.dot(vertex) - plane.offset - core.radius);
-    }
   } else {
-    for (const Core& a : a_.cores) {
+    for (const Core& a : a_.cores)
       for (const Core& b : b_.cores) least = std::min(least, separation_of(a, b));
-    }
   }
   return static_cast<double>(least);
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/at.h"
-#include "dynamics/solver.h"
 #include "geometry/primitives.h"
 #include "study/random_cases.h"
 #include "study/study.h"

@@ -3,7 +3,7 @@
 #include <istream>
 
 #include "core/input_error.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 #include "core/spell.h"
 #include "trace/json_node.h"
 #include "trace/reference.h"
@@ -23,9 +23,8 @@ struct Counts {
   std::vector<std::pair<std::string_view, std::size_t>> lists{};
 
   std::size_t of(std::string_view list) const {
-    for (const auto& [key, count] : lists) {
+    for (const auto& [key, count] : lists)
       if (key == list) return count;
-    }
     return around != nullptr ? around->of(list) : 0;
   }
 };

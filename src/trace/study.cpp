@@ -83,9 +83,7 @@ std::string to_csv(const Study& study) {
                                         context.build_type,
                                         context.date,
                                         context.scalar};
-      if (panels) {
-        cells.insert(cells.end(), {one.panel, study.row, spelled(one.row, "row")});
-      }
+      if (panels) cells.insert(cells.end(), {one.panel, study.row, spelled(one.row, "row")});
       text += row(cells);
     }
   }

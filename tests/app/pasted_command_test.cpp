@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "app/render/origin.h"
-#include "snapshot/accept.h"
+#include "app/render/figure_canvas.h"
+#include "snapshot/changes.h"
 #include "support/cases.h"
 #include "support/random_geometry.h"
 #include "support/temporary_folder.h"

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "continuous/feature_pair.h"
-#include "continuous/impact_of_meshes.h"
-#include "continuous/swept_sphere.h"
+#include "continuous/impact_with_mesh.h"
+#include "continuous/portal_cast.h"
 #include "core/at.h"
 #include "study/impact_cases.h"
 #include "study/study.h"

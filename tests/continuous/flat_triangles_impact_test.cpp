@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "continuous/impact_of_meshes.h"
+#include "continuous/impact_with_mesh.h"
 #include "core/at.h"
 #include "geometry/mesh.h"
 #include "support/brute_force_distance.h"

@@ -1,4 +1,4 @@
-#include "continuous/impact_of_meshes.h"
+#include "continuous/impact_with_mesh.h"
 
 #include <gmock/gmock.h>
 

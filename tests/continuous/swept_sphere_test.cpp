@@ -1,4 +1,4 @@
-#include "continuous/swept_sphere.h"
+#include "continuous/portal_cast.h"
 
 #include <gmock/gmock.h>
 

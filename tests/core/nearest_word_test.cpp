@@ -1,4 +1,4 @@
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "draw/scene/contours.h"
+#include "draw/scene/outlines.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "draw/scene/figure_style.h"
+#include "draw/scene/layout.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

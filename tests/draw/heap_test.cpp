@@ -11,7 +11,6 @@
 
 #include "draw/drawn_texts.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/contact_facts.h"
 #include "draw/scene/home_region.h"
 #include "draw/scene/pair_words.h"
 #include "draw/staging.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <random>
 
+#include "draw/scene/clip_story.h"
 #include "draw/scene/palette.h"
-#include "draw/scene/simplex_steps.h"
 #include "draw/staging.h"
 
 namespace contactscope::draw {

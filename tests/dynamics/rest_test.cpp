@@ -1,4 +1,4 @@
-#include "dynamics/rest.h"
+#include "dynamics/sleep.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,3 @@
-#include "geometry/shape_seams.h"
 
 #include <gtest/gtest.h>
 

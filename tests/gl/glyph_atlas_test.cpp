@@ -1,4 +1,4 @@
-#include "gl/glyph_atlas.h"
+#include "gl/primitive_vertices.h"
 
 #include <gtest/gtest.h>
 

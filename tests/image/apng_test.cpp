@@ -1,4 +1,4 @@
-#include "image/apng.h"
+#include "image/webp.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

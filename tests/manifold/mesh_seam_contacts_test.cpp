@@ -9,7 +9,6 @@
 #include "geometry/hull_builder.h"
 #include "geometry/mesh_seams.h"
 #include "geometry/primitives.h"
-#include "geometry/shape_seams.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
 #include "support/tiled_floor.h"

@@ -1,4 +1,4 @@
-#include "page/groups.h"
+#include "page/page.h"
 
 #include <gmock/gmock.h>
 

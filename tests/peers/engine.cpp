@@ -11,7 +11,7 @@
 #include "peers/peer.h"
 #include "peers/rollout.h"
 #include "trace/json.h"
-#include "versus/engine.h"
+#include "versus/request.h"
 
 namespace contactscope::peers {
 namespace {

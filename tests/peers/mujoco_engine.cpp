@@ -16,7 +16,7 @@
 #include "peers/rollout.h"
 #include "trace/find.h"
 #include "trace/json.h"
-#include "versus/engine.h"
+#include "versus/request.h"
 
 namespace contactscope {
 namespace {

@@ -1,4 +1,4 @@
-#include "snapshot/match.h"
+#include "snapshot/compare_trace.h"
 
 #include <gmock/gmock.h>
 

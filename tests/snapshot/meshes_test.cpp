@@ -4,7 +4,7 @@
 
 #include "core/input_error.h"
 #include "image/encoding.h"
-#include "snapshot/accept.h"
+#include "snapshot/changes.h"
 #include "snapshot/check.h"
 #include "snapshot/sample_trace.h"
 #include "snapshot/store.h"

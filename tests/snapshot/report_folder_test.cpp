@@ -4,7 +4,7 @@
 
 #include "core/input_error.h"
 #include "image/png.h"
-#include "snapshot/accept.h"
+#include "snapshot/changes.h"
 #include "snapshot/dot_picture.h"
 #include "snapshot/sample_trace.h"
 #include "support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "study/picture_row.h"
+#include "study/picture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "vector/markup.h"
+#include "vector/svg.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "draw/crate_on_slab.h"
-#include "vector/markup.h"
 
 namespace contactscope::vector {
 namespace {

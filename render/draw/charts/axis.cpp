@@ -56,9 +56,8 @@ std::vector<Axis::Tick> Axis::ticks(float least_decade) const {
       list.push_back({value, at(value), factor == 1, factor == 1 || factor == 2 || factor == 5});
     }
   }
-  if (std::ranges::count_if(list, &Tick::decade) >= 3) {
+  if (std::ranges::count_if(list, &Tick::decade) >= 3)
     for (Tick& tick : list) tick.labelled = tick.decade;
-  }
   return list;
 }
 

@@ -17,9 +17,8 @@ constexpr std::size_t kMarkers = 9;
 
 // Darkened until its contrast with white is 4.5, which WCAG 2.1 requires for text.
 Color legible(Color color) {
-  while (contrast(color, kWhite) < 4.5) {
+  while (contrast(color, kWhite) < 4.5)
     for (float* channel : {&color.r, &color.g, &color.b}) *channel *= 0.97f;
-  }
   return color;
 }
 

@@ -251,9 +251,8 @@ struct Curves : Pen {
     if (naming == Naming::Inside) name_inside(lines, area, *this);
     if (is_over_time) return;
     float row = above + px(2 + 0.5 * kFailureRow);
-    for (const trace::StudySeries* series : panel.series) {
+    for (const trace::StudySeries* series : panel.series)
       if (failures(*series, x, left, right, row)) row += px(kFailureRow);
-    }
   }
 
   /// The signal has no marker for a legend.

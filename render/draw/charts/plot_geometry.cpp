@@ -93,9 +93,8 @@ struct Mapping {
 
   void choose_time_axis() {
     PositiveRange times;
-    for (const trace::StudyPoint& point : points_of(whole)) {
+    for (const trace::StudyPoint& point : points_of(whole))
       for (const double time : {point.nanoseconds.min, point.nanoseconds.max}) times.include(time);
-    }
     float widest_name = 0, widest_count = 0;
     for (const trace::StudySeries& series : whole.series)
       widest_count = std::max(widest_count, width_of(count_of(series)));
@@ -111,9 +110,8 @@ struct Mapping {
 
   Axis error_axis(float from, float to) const {
     PositiveRange errors;
-    for (const trace::StudyPoint& point : points_of(whole)) {
+    for (const trace::StudyPoint& point : points_of(whole))
       if (!is_zero(point)) errors.include(error_of(point, kind).value_or(0));
-    }
     return errors.axis(from, to, px(kPlotMargin), px(kPlotMargin));
   }
 
@@ -124,9 +122,8 @@ struct Mapping {
 
   std::vector<float> failures_of(const trace::StudySeries& series) const {
     std::vector<float> places;
-    for (const trace::StudyPoint& point : series.points) {
+    for (const trace::StudyPoint& point : series.points)
       if (point.failed > 0) places.push_back(x.at(point.nanoseconds.median));
-    }
     return places;
   }
 

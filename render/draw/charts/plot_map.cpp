@@ -157,9 +157,8 @@ struct Map : Pen {
       return steps;
     }
     std::size_t most = 0;
-    for (const trace::StudyPoint& point : points_of(study)) {
+    for (const trace::StudyPoint& point : points_of(study))
       if (point.error) most = std::max(most, decade_of(largest_error(point)));
-    }
     for (std::size_t i = 0; i <= most; ++i) {
       const bool open = i + 1 == kDecades.size();
       const double bound = std::pow(10.0, static_cast<double>(open ? i - 1 : i));

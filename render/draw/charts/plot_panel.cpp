@@ -47,14 +47,12 @@ struct Diagram : Pen {
   void run() {
     draw_grid();
     draw_headings();
-    for (const Course& course : plot.courses) {
+    for (const Course& course : plot.courses)
       if (course.strong) draw_spread(course);
-    }
     for (const bool strong : {false, true}) {
       for (const auto part : {&Diagram::draw_line, &Diagram::draw_markers}) {
-        for (const Course& course : plot.courses) {
+        for (const Course& course : plot.courses)
           if (course.strong == strong) (this->*part)(course);
-        }
       }
     }
     draw_failures();
@@ -65,12 +63,10 @@ struct Diagram : Pen {
   void draw_grid() {
     for (const bool decades : {false, true}) {
       const Color& color = decades ? kChartGrid : kMinorGrid;
-      for (const Axis::Tick& tick : plot.x.ticks(px(kMinDecade))) {
+      for (const Axis::Tick& tick : plot.x.ticks(px(kMinDecade)))
         if (tick.decade == decades) line({tick.at, top}, {tick.at, bottom}, 1, color);
-      }
-      for (const Axis::Tick& tick : plot.y.ticks(px(kMinDecade))) {
+      for (const Axis::Tick& tick : plot.y.ticks(px(kMinDecade)))
         if (tick.decade == decades) line({left, tick.at}, {right, tick.at}, 1, color);
-      }
     }
     draw_time_ticks();
     draw_error_ticks();
@@ -173,9 +169,8 @@ struct Diagram : Pen {
 
   void draw_border() {
     frame(plot.area, 1.2, kChartBorder);
-    for (const float y : {plot.failures_end, plot.zeros_begin}) {
+    for (const float y : {plot.failures_end, plot.zeros_begin})
       if (y > top && y < bottom) line({left, y}, {right, y}, 1.2, kChartBorder, 4, 4);
-    }
   }
 
   // Number of data points that a box would hide.

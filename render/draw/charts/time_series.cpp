@@ -132,9 +132,8 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
     for (const trace::Body& body : frames[f].solver->bodies) {
       const auto has_body = [&](const Group& group) { return group.bodies.contains(body.name); };
       const bool is_alone = std::ranges::none_of(groups, has_body);
-      for (Group& group : groups) {
+      for (Group& group : groups)
         if (is_alone || has_body(group)) group.series.energy[f] += body.kinetic_energy;
-      }
     }
   }
   const bool has_energy = solved && !lacks_energies(frames);

@@ -44,9 +44,8 @@ struct ChoicePen : Pen {
       const trace::Choice& choice = choices[shown - 1];
       if (choice.rule == "support" && wanted <= choices.size()) support(choice.direction);
       for (const bool winner : {false, true}) {  // the winner on top
-        for (const trace::Measure& measure : choice.measures) {
+        for (const trace::Measure& measure : choice.measures)
           if ((measure.point == chosen()) == winner) candidate(choice.rule, measure, winner);
-        }
       }
     }
     points();

@@ -50,9 +50,8 @@ double ContactCells::nearest_points() const {
     for (const ContactCell& cell : moment.cells) {
       for (const trace::Point& point : cell.points) {
         double least = std::numeric_limits<double>::infinity();
-        for (const trace::Point& other : cell.points) {
+        for (const trace::Point& other : cell.points)
           if (&other != &point) least = std::min(least, (other.position - point.position).norm());
-        }
         nearest.push_back(least);
       }
       if (!cell.points.empty()) break;  // the others usually have the same points

@@ -96,9 +96,8 @@ std::vector<ContactMoment> explored(const std::vector<trace::Exploration>& seque
       moment.caption = name_in_words(exploration.a) + " and " + name_in_words(exploration.b);
       if (!exploration.label.empty()) moment.caption += " (" + exploration.label + ")";
     }
-    if (exploration.triangle) {
+    if (exploration.triangle)
       moment.caption += ", triangle " + std::to_string(*exploration.triangle);
-    }
     if (!exploration.a.empty()) moment.caption += ", frame " + std::to_string(exploration.frame);
     for (const std::string& name : order) {
       const trace::ReducerAnswer& answer =

@@ -189,9 +189,8 @@ void explain_panels(const View& view, const trace::Frame& frame, Legend& legend)
     legend.explain(kIncidentFaceSwatch, "incident face");
     if (!pair->clip->steps.empty() && !pair->clip->steps.back().polygon.empty())
       legend.explain(kClipPolygonSwatch, "clip polygon");
-    for (const trace::DroppedPoint& dropped : pair->clip->dropped) {
+    for (const trace::DroppedPoint& dropped : pair->clip->dropped)
       if (!is_kept(*pair, dropped)) legend.explain(kDroppedSwatch, dropped.reason);
-    }
   }
   if (!view.shows(Layer::Contacts)) legend.explain(kPlainPointSwatch, "contact point");
   if (reduction_in_contact_plane(*pair) &&

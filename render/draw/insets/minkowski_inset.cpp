@@ -3,10 +3,10 @@
 
 #include "core/at.h"
 #include "draw/insets/inset.h"
+#include "draw/scene/clip_story.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/simplex_steps.h"
 #include "draw/scene/solid.h"
 
 /// The Minkowski difference B - A, and in it the simplex or polytope of an algorithm: van den
@@ -199,9 +199,8 @@ std::vector<Vec3d> minkowski_extent(const std::vector<trace::Frame>& frames) {
     const trace::Pair* pair = first_pair(frame, has_difference);
     if (pair == nullptr) continue;
     if (pair->minkowski) append(points, pair->minkowski->vertices);
-    if (pair->gjk) {
+    if (pair->gjk)
       for (const trace::Simplex& simplex : pair->gjk->steps) append(points, differences(simplex));
-    }
     if (pair->penetration) {
       for (const trace::Polytope& polytope : pair->penetration->polytopes)
         append(points, differences(polytope.vertices));
@@ -222,9 +221,8 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
     solid.faces = pair->minkowski->faces;
     ShapeMesh mesh = make_mesh(solid);
     // Many small facets are not the approximation of a curved surface here.
-    if (solid.faces.size() <= kManyFaces) {
+    if (solid.faces.size() <= kManyFaces)
       for (ShapeMesh::Edge& edge : mesh.edges) edge.smooth = false;
-    }
     const PlacedShape placed{&mesh, {}, solid.vertices};
     draw_solid(inset.camera, placed, kDifference, sketch);
     Vec3d middle = Vec3d::Zero();

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/box_outline.h"
+#include "draw/scene/outlines.h"
 #include "draw/scene/tree_levels.h"
 #include "image/font.h"
 
@@ -247,9 +247,8 @@ bool write_tests(const Scene& scene, const std::vector<trace::Cell>& cells, cons
   for (const trace::Bounds& bounds : scene.frame.broad_phase->bounds)
     boxes.push_back(seen(bounds.box));
   std::vector<Eigen::AlignedBox2d> tiles;
-  for (const trace::Cell& cell : cells) {
+  for (const trace::Cell& cell : cells)
     if (cell.members > 0) tiles.push_back(seen(cell.box));
-  }
   std::span<const Eigen::AlignedBox2d> above = tiles;
   std::vector<std::pair<Vec2d, int>> numbers;
   for (const trace::Cell& cell : cells) {

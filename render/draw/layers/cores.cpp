@@ -110,9 +110,8 @@ void draw_hull_core(const Scene& scene, const PlacedShape& shape, double margin,
     CoreFace face = mapped(shape.polygon(f), [&](const Vec3d& corner) -> CoreCorner {
       return {corner - margin * at(planes, f).normal, f};
     });
-    for (int other = 0; other < faces && !face.empty(); ++other) {
+    for (int other = 0; other < faces && !face.empty(); ++other)
       if (other != f) face = clipped_by(face, at(planes, other), other);
-    }
     for (std::size_t i = 0; face.size() > 2 && i < face.size(); ++i) {
       corners.push_back(face[i].at);
       if (face[i].side < f) continue;  // drawn with the other face

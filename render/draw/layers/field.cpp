@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/contours.h"
+#include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 

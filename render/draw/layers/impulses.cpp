@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/contact_facts.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 

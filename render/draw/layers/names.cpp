@@ -1,7 +1,12 @@
+#include <algorithm>
 #include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/home_region.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 
@@ -43,8 +48,68 @@ void draw_names(const Scene& scene, Sketch& sketch) {
                    scene.shapes.size() > 8 ? kSmallName : 16, 0);
 }
 
+// More names would not be readable.
+constexpr std::size_t kMaxEdgeNames = 12;
+
+/// "A5 × B9" for the edges "a:e5 b:e9", "corner B4" for "b:v4"; other names are not changed.
+std::string features_of(std::string_view id) {
+  std::string text;
+  int edges = 0;
+  while (!id.empty()) {
+    const std::string_view word = id.substr(0, id.find(' '));
+    id.remove_prefix(std::min(word.size() + 1, id.size()));
+    const bool known = word.size() > 3 && word[1] == ':' && (word[0] == 'a' || word[0] == 'b') &&
+                       (word[2] == 'e' || word[2] == 'v' || word[2] == 'f');
+    if (!text.empty()) text += edges > 0 && known && word[2] == 'e' ? " × " : " ";
+    if (!known) {
+      text += word;
+      continue;
+    }
+    edges += word[2] == 'e';
+    text += word[2] == 'v' ? "corner " : word[2] == 'f' ? "face " : "";
+    text += word[0] == 'a' ? 'A' : 'B';
+    text += word.substr(3);
+  }
+  return text;
+}
+
+/// Mean of the points on an edge; nothing for fewer than two.
+std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairEdge& edge) {
+  std::vector<Vec3d> on_edge;
+  for (const PairPoint& any : all_points(pair)) {
+    const std::vector<PairEdge> edges = edges_in(any.point->id);
+    if (std::ranges::find(edges, edge) != edges.end()) on_edge.push_back(any.point->position);
+  }
+  if (on_edge.size() < 2) return std::nullopt;
+  return mean_of(on_edge);
+}
+
+// Catto 2007, "Feature-Based Contact Points": the ids, and a name on each edge in them, except
+// edges of a mesh, which count within a triangle, and of round shapes, which have no visible ones.
+void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  for (const PairPoint& kept : kept_points(pair))
+    sketch.label(kept.point->position, features_of(kept.point->id), kText, 18, 12);
+  std::vector<PairEdge> edges;
+  for (const PairPoint& any : all_points(pair)) {
+    for (const PairEdge& edge : edges_in(any.point->id))
+      if (std::ranges::find(edges, edge) == edges.end()) edges.push_back(edge);
+  }
+  if (edges.size() > kMaxEdgeNames) return;
+  for (const auto& [of_a, index] : edges) {
+    const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
+    if (shape == nullptr || shape->is_mesh()) continue;
+    const auto ends = shape->edge(index);
+    if (!ends || shape->traced().radius > 0) continue;
+    sketch.label(middle_of(pair, {of_a, index}).value_or(0.5 * ((*ends)[0] + (*ends)[1])),
+                 (of_a ? "edge A" : "edge B") + std::to_string(index), of_a ? kArcOfA : kArcOfB, 16,
+                 5);
+  }
+}
+
 }  // namespace
 
 const LayerDrawing kNamesLayer{.above = draw_names};
+
+const LayerDrawing kIdsLayer{.needs = {&Stages::reduction}, .result = draw_ids};
 
 }  // namespace contactscope::draw

@@ -153,9 +153,7 @@ void draw_what_is_lost(const trace::FieldSlice& slice, std::size_t lines, Sketch
         farthest = std::max(farthest, away);
         continue;
       }
-      if (outside.size() > 1 && farthest > kMinLost) {
-        add_once({outside.front(), outside.back()});
-      }
+      if (outside.size() > 1 && farthest > kMinLost) add_once({outside.front(), outside.back()});
       outside.clear();
       farthest = 0;
     }

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "draw/layers/layer.h"
+#include "draw/scene/clip_story.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/simplex_steps.h"
 
 /// Support points on both shapes whose differences are the vertices of a simplex, or of the nearest
 /// face of a polytope. They have the same numbers as these vertices.

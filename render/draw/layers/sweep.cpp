@@ -3,7 +3,9 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
+#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 /// Motion of two shapes over the step, and their first contact: Catto 2013, "Continuous Collision".
@@ -232,8 +234,152 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   sketch.mark(MarkKind::Dot, impact.point_a, kContact);
 }
 
+// Onion skins: outlines of moving shapes in earlier frames. A jump leaves no outlines in between.
+
+constexpr std::size_t kMaxSkins = 12;  // per shape
+
+constexpr LineStyle kPast{1.2f, kDropped};
+constexpr LineStyle kTrailPath{1.5f, kDropped, true};
+// If dashes mark future positions.
+constexpr LineStyle kSolidPath{1.2f, with_alpha(kDropped, 0.7f)};
+
+constexpr double kMinOfBox = 30;    // pixels: shorter displacements are drawn for balls only
+constexpr double kMinStep = 4;      // pixels: closer outlines would merge into bars
+constexpr double kMinTurn = 0.005;  // sine of half the rotation
+constexpr double kSpread = 1.1;     // radii of the shape between the outlines of a long path
+
+constexpr Swatch kPastSwatch{LegendGroup::Motion, 4,
+                             [](auto& pen) { pen.level_line(0, 23, 1.2, kDropped); }};
+
+// Thins poses, from the present one (last) back to the oldest, so that outlines are
+// distinguishable.
+std::vector<Pose<double>> spread(const std::vector<Pose<double>>& past, const PlacedShape& shape) {
+  const Vec3d& middle = shape.traced().center_of_mass;
+  const double radius = shape.mesh->radius;
+  std::vector<Pose<double>> kept = {past.back()};
+  for (auto pose = past.rbegin() + 1; pose != past.rend(); ++pose) {
+    const Pose<double>& after = kept.back();
+    const double offset = (pose->transform(middle) - after.transform(middle)).norm();
+    const double turn = 2 * (pose->rotation * after.rotation.conjugate()).vec().norm();
+    if (offset + radius * turn >= kSpread * radius) kept.push_back(*pose);
+  }
+  std::ranges::reverse(kept);
+  return kept;
+}
+
+void draw_trail(const Scene& scene, Sketch& sketch) {
+  if (scene.sequence == nullptr) return;
+  const bool shows_future = scene.shows(Layer::Sweep) || scene.shows(Layer::Ahead);
+  for (const PlacedShape& shape : scene.shapes) {
+    if (shape.is_mesh() || shape.traced().half_space) continue;
+    const Vec3d middle = shape.traced().center_of_mass;
+    std::vector<Pose<double>> past;
+    for (const FramePoses& frame : *scene.sequence) {
+      if (frame.frame >= scene.frame.frame) break;
+      const auto then = std::ranges::find(frame.poses, shape.traced().name,
+                                          &std::pair<std::string, Pose<double>>::first);
+      if (then != frame.poses.end()) past.push_back(then->second);
+    }
+    const bool is_long = past.size() > kMaxSkins;
+    past.push_back(shape.pose);
+    const std::size_t before = past.size() < 2 ? 0 : past.size() - 2;
+    const auto last_path =
+        seen_distance(scene.camera, past[before].transform(middle), shape.pose.transform(middle));
+    const bool rests = last_path && *last_path < kMinStep * scene.scales.pixel;
+    if (is_long) past = spread(past, shape);
+    if (past.size() > kMaxSkins + 1) past.erase(past.begin(), past.end() - kMaxSkins - 1);
+    const Vec3d now = shape.pose.transform(middle);
+    const double pixels_per_metre = scene.camera.pixels_per_metre(now) / scene.scales.pixel;
+    std::optional<Vec3d> last;  // position of the newest drawn outline
+    for (std::size_t k = 0; k + 1 < past.size(); ++k) {
+      const Pose<double>&then = past[k], &next = past[k + 1];
+      const Vec3d place = then.transform(middle), offset = next.transform(middle) - place;
+      const Quatd turn = then.rotation * shape.pose.rotation.conjugate();
+      if (offset.isZero(0) && then.rotation.coeffs() == next.rotation.coeffs()) continue;
+      // Inside a box, a displacement too short for an arrow head has no meaning. If the shape rests
+      // now, arrows would suggest that it still moves.
+      const auto seen = seen_distance(scene.camera, place, Vec3d(place + offset));
+      const bool has_head = seen && *seen >= kMinOfBox * scene.scales.pixel;
+      if (border_of_ball(shape) > 0 || (has_head && !rests))
+        draw_path(scene, place, place + offset, border_of_ball(shape),
+                  shows_future ? kSolidPath : kTrailPath, sketch);
+      const auto merges = [&](const Vec3d& other) {
+        return (place - other).norm() * pixels_per_metre < kMinStep;
+      };
+      if (turn.vec().norm() < kMinTurn && (merges(now) || (last && merges(*last)))) continue;
+      last = place;
+      const Eigen::AngleAxisd back(turn);
+      draw_ghost(scene.camera, moved(shape, now, place - now, Vec3d(back.angle() * back.axis())),
+                 kPast, sketch);
+      sketch.explain(kPastSwatch, "in the frames before", place);
+    }
+  }
+}
+
+// Catto 2013, "Continuous Collision": a contact of shapes that do not touch yet limits their
+// approach to the gap. Draws each body's pose one frame later without contacts, and the gap.
+
+constexpr double kMinAhead = 8;  // pixels
+constexpr double kAside = 44;    // pixels from the point, to avoid the impulse arrow
+
+constexpr LineStyle kGhost{2.0f, kDropped, true};
+
+constexpr Swatch kAheadSwatch{LegendGroup::Motion, 4, [](auto& pen) { pen.dashes(2, kDropped); }};
+
+// Distance within which points become contacts: a dashed line, and a measure opposite to the gap's.
+void draw_speculative_margin(const Scene& scene, const Vec3d& from, const Vec3d& out,
+                             const Vec3d& aside, Sketch& sketch) {
+  const double margin = scene.frame.solver->speculative_margin;
+  const Vec3d to = from + margin * out;
+  if (!(margin > 0) || !scene.camera.sees(to)) return;
+  sketch.line(to - 4 * aside, to + 2 * aside, {1.5f, kAxis, true});
+  const Vec3d below = -3 * aside;
+  sketch.measure(from + below, to + below, 1.8f, 10, kAxis);
+  sketch.label(0.5 * (from + to) + below,
+               "speculative margin " + spell_length(margin, 0, scene.scales.length), kAxisText, 17,
+               10, Vec3d(-scene.camera.up()));
+}
+
+void draw_ahead(const Scene& scene, Sketch& sketch) {
+  const double step = scene.scales.step;
+  if (!scene.frame.solver || step <= 0) return;
+  for (const trace::Body& body : scene.bodies()) {
+    const Vec3d& center = body.center_of_mass;
+    const Vec3d offset = step * body.velocity;
+    const double pixels = offset.norm() * scene.camera.pixels_per_metre(center);
+    const PlacedShape* shape = scene.find(body.name);
+    if (shape == nullptr || pixels < kMinAhead * scene.scales.pixel) continue;
+    const Vec3d turn = step * body.angular_velocity;
+    const PlacedShape later = moved(*shape, center, offset, turn);
+    draw_ghost(scene.camera, later, kGhost, sketch);
+    draw_path(scene, center, center + offset, border_of_ball(*shape), {1.2f, kDropped, true},
+              sketch);
+    if (!in_view(scene.camera, later)) continue;
+    sketch.explain(kAheadSwatch, "a frame later, if nothing stopped it", Vec3d(center + offset));
+  }
+  for (const trace::Pair& pair : scene.frame.pairs) {
+    const PlacedShape* a = scene.find(pair.a);
+    const double side = a == nullptr || a->traced().radius == 0 ? 1 : -1;  // to the other surface
+    for (const auto& [manifold, point] : all_points(pair)) {
+      if (!stands_off(*point, scene.scales)) continue;
+      const Vec3d& from = point->position;
+      const Vec3d to = from + side * point->separation * manifold->normal;
+      const Vec3d up = scene.camera.up();
+      const Vec3d aside = kAside * scene.scales.pixel / scene.camera.pixels_per_metre(from) * up;
+      for (const Vec3d& end : {from, to}) sketch.line(end, end + 1.2 * aside, {1.0f, kAxis});
+      draw_gap(scene, from + aside, to + aside, point->separation, scene.noise(pair), 12, up,
+               sketch);
+      draw_speculative_margin(scene, from, side * manifold->normal, aside, sketch);
+    }
+  }
+}
+
 }  // namespace
 
 const LayerDrawing kSweepLayer{.result = draw_sweep};
+
+const LayerDrawing kTrailLayer{.beneath = draw_trail};
+
+const LayerDrawing kAheadLayer{.above = draw_ahead};
 
 }  // namespace contactscope::draw

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "draw/panels/panel.h"
-#include "draw/scene/answers.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
@@ -12,7 +12,7 @@ namespace contactscope::draw {
 namespace {
 
 constexpr double kAnswerBar = 14;      // pixels at 720 lines, height of a row of cells
-constexpr double kColumn = 26;         // pixels at 720 lines, height of the tallest column
+constexpr double kTallestBar = 26;     // pixels at 720 lines, height of the tallest column
 constexpr double kBelowAnswerBar = 3;  // pixels at 720 lines
 constexpr double kMinBetween = 8;      // pixels at 720 lines, between two rows
 constexpr double kMaxBetween = 16;
@@ -106,7 +106,7 @@ class AnswersPanel : public PanelContent {
            static_cast<float>(bar + 8) * scale_;
   }
 
-  double bar_height() const { return has_measure_ ? kColumn : kAnswerBar; }
+  double bar_height() const { return has_measure_ ? kTallestBar : kAnswerBar; }
 
   /// With the space before the next row.
   float most_of_row() const {

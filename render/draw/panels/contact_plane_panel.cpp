@@ -169,9 +169,8 @@ class ContactPlanePanel : public PanelContent {
     if (!clip.steps.empty()) polygon(clip.steps.back().polygon, kClipPolygon, 0.25f, 0);
     // Dashed, so that an equal clip polygon stays visible.
     polygon(clip.incident.polygon, kIncidentFace, 0.18f, 8);
-    for (const trace::DroppedPoint& dropped : clip.dropped) {
+    for (const trace::DroppedPoint& dropped : clip.dropped)
       if (!is_kept(pair, dropped)) draw_dropped_point(plane.at(dropped.position), plane, 1);
-    }
   }
 
   /// Projection of the centre of mass along the normal: inside the support or outside.

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "draw/panels/panel.h"
-#include "draw/scene/contact_facts.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/palette.h"

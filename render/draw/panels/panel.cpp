@@ -52,9 +52,8 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
   }
   const auto part_of = [&](std::size_t i) {
     float divided = rest;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < count; ++k)
       if (shares[k] == 0 && needs[k].wanted == 0) divided -= heights[k];
-    }
     return divided * shares[i] / std::accumulate(shares.begin(), shares.end(), 0.0f);
   };
   for (std::size_t i = 0; i < count;) {
@@ -62,9 +61,8 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
     if (starves) shares[i] = 0;
     i = starves ? 0 : i + 1;
   }
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     if (shares[i] > 0) heights[i] = part_of(i);
-  }
   if (count == 1) heights[0] = std::min(heights[0], room);
   heights.resize(needs.size());
   return heights;

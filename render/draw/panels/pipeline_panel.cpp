@@ -2,7 +2,6 @@
 #include <cstdint>
 
 #include "draw/panels/panel.h"
-#include "draw/scene/answers.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/quantity.h"
 #include "image/font.h"

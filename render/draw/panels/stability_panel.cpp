@@ -73,9 +73,8 @@ class StabilityPanel : public PanelContent {
       History& history = histories_.emplace_back();
       history.name = pair_name(*wanted);
       history.pairs = pair_history(frames, *wanted);
-      for (const trace::Pair*& pair : history.pairs) {
+      for (const trace::Pair*& pair : history.pairs)
         if (pair != nullptr && stability_of(*pair) == nullptr) pair = nullptr;
-      }
       const auto first =
           std::ranges::find_if(history.pairs, [](auto* pair) { return pair != nullptr; });
       const trace::Pair* newest = first == history.pairs.end() ? nullptr : *first;

@@ -2,8 +2,6 @@
 #include <cmath>
 
 #include "draw/panels/panel.h"
-#include "draw/scene/answers.h"
-#include "draw/scene/contact_facts.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
@@ -18,9 +16,8 @@ constexpr float kBetweenPairs = 0.4f;  // of the text height
 // "point on face"; for a mesh with many manifolds each type once.
 std::string types_of(const trace::Pair& pair) {
   std::vector<std::string> types;
-  for (const trace::Manifold& manifold : pair.manifolds) {
+  for (const trace::Manifold& manifold : pair.manifolds)
     if (std::ranges::find(types, manifold.type) == types.end()) types.push_back(manifold.type);
-  }
   return separated(types, ", ", spell_features);
 }
 

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "draw/scene/scene.h"
+#include "trace/trace.h"
+#include "view/view.h"
 
 /// Clipping in steps: frame 0 shows the two faces, frame k what the k-th side plane cuts away, and
 /// the frame after the last plane the points that are kept. Gregorius 2015, "Hull vs Hull: Face
 /// Contact Clipping".
+///
+/// The step of GJK or EPA that a frame shows.
 namespace contactscope::draw {
 
 bool has_clip_story(const Scene& scene, const trace::Pair& pair);
@@ -37,5 +44,29 @@ void draw_clip_story(const Scene& scene, const trace::Pair& pair, Sketch& sketch
 /// Hatches a convex polygon in its plane; `pixels` is the line spacing on the screen.
 void hatch_in_space(const Camera& camera, const trace::Polygon& polygon, double pixels,
                     const LineStyle& style, Sketch& sketch);
+
+/// State of the algorithm in the Minkowski difference, as a frame shows it.
+struct SimplexStep {
+  enum class Of { Gjk, Epa, Mpr } of = Of::Gjk;
+  std::vector<trace::SimplexVertex> vertices;
+  /// For each vertex, its place in the order of discovery; it is constant from step to step.
+  std::vector<int> numbers;
+  const trace::Polytope* polytope = nullptr;  // of EPA
+  std::optional<trace::SimplexVertex> next;   // support point that the next step adds
+  int step = 0;                               // from 1; 0: before the first
+  int steps = 0;                              // number of steps
+  bool last() const { return step == steps; }
+};
+
+/// If the view shows steps, frame k shows the state after step k, and later frames the last step.
+/// Otherwise the last step. Nothing if the pair has no such record.
+std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& frame,
+                                        const trace::Pair& pair);
+
+/// Point nearest to the origin in the convex hull of one to four points.
+Vec3d nearest_to_origin(const std::vector<Vec3d>& points);
+
+/// Point of the Minkowski difference.
+inline Vec3d difference(const trace::SimplexVertex& vertex) { return vertex.b - vertex.a; }
 
 }  // namespace contactscope::draw

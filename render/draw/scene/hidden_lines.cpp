@@ -49,29 +49,34 @@ std::vector<Point2> corners_around(const RoundBody& body, const Camera& camera) 
 HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
                          const std::vector<ConvexShadow>& shadows,
                          const std::vector<RoundBody>& bodies)
-    : camera_(camera), begins_{0}, cells_(kColumns * kRows) {
-  std::vector<double> away;  // of each shadow from the eye
-  // Ends a shadow, and puts it into the cells of the box around its corners; without any it is
-  // everywhere.
-  const auto put = [&](std::span<const Point2> seen, const Vec3d& place) {
-    const int index = count_of(boxes_);
-    begins_.push_back(bounds_.size());
-    boxes_.push_back(box_of(seen));
-    away.push_back(camera.to_camera(place).norm());
-    if (seen.empty()) return everywhere_.push_back(index);
-    const Eigen::Vector2i first = cell_at(boxes_.back().min()), last = cell_at(boxes_.back().max());
+    : camera_(camera), cells_(kColumns * kRows) {
+  // Adds the shadow of the bounds from `begin` on, and puts it into the cells of the box around its
+  // corners; without any it is everywhere.
+  const auto put = [&](std::size_t begin, std::span<const Point2> seen,
+                       const Vec3d& place) -> Shadow& {
+    const int index = count_of(shadows_);
+    const Box box = box_of(seen);
+    const std::size_t end = bounds_.size();
+    shadows_.push_back({begin, end, end, {}, box, camera.to_camera(place).norm()});
+    if (seen.empty()) {
+      everywhere_.push_back(index);
+      return shadows_.back();
+    }
+    const Eigen::Vector2i first = cell_at(box.min()), last = cell_at(box.max());
     for (int row = first.y(); row <= last.y(); ++row)
       for (int column = first.x(); column <= last.x(); ++column)
         at(cells_, row * kColumns + column).push_back(index);
+    return shadows_.back();
   };
   const bool many_bodies = shadows.size() >= kManyBodies && bodies.size() == shadows.size();
   for (std::size_t i = 0; i < shadows.size(); ++i) {
-    const ConvexShadow& shadow = shadows[i];
-    sides_.push_back(bounds_.size() + shadow.sides);
-    behind_.push_back(shadow.behind);
-    bounds_.insert(bounds_.end(), shadow.bounds.begin(), shadow.bounds.end());
-    put(many_bodies ? corners_around(bodies[i], camera) : std::vector<Point2>(),
-        many_bodies ? bodies[i].core.front() : Vec3d::Zero());
+    const std::size_t begin = bounds_.size();
+    bounds_.insert(bounds_.end(), shadows[i].bounds.begin(), shadows[i].bounds.end());
+    Shadow& shadow =
+        put(begin, many_bodies ? corners_around(bodies[i], camera) : std::vector<Point2>(),
+            many_bodies ? bodies[i].core.front() : Vec3d::Zero());
+    shadow.sides = begin + shadows[i].sides;
+    shadow.behind = shadows[i].behind;
   }
   const bool few = occluders.size() < kManyOccluders;
   for (const std::vector<Vec3d>& polygon : occluders) {
@@ -94,6 +99,7 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     if (std::abs(facing) <= kEdgeOn * to_eye.norm()) continue;
     if (facing < 0) normal = -normal;
 
+    const std::size_t begin = bounds_.size();
     bounds_.push_back({normal, normal.dot(middle) - border});  // behind the polygon
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec3d& p = polygon[i];
@@ -107,10 +113,11 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
       if (facing < 0) side = -side;
       bounds_.push_back({side, side.dot(p) - border});
     }
-    put(seen, middle);
+    put(begin, seen, middle);
   }
   for (std::vector<int>& cell : cells_)
-    std::ranges::sort(cell, {}, [&](int index) { return std::pair(at(away, index), index); });
+    std::ranges::sort(cell, {},
+                      [&](int index) { return std::pair(at(shadows_, index).away, index); });
 }
 
 HiddenLines::Box HiddenLines::box_of(std::span<const Point2> points) const {
@@ -126,12 +133,10 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   std::vector<std::pair<double, double>> hidden;
   // Whether the shadow hides the whole line, so that no other one matters.
   const auto hides_all = [&](int index) {
-    const auto shadow = static_cast<std::size_t>(index);
+    const Shadow& shadow = at(shadows_, index);
     double first = 0, last = 1;
-    for (std::size_t i = begins_[shadow]; i < begins_[shadow + 1]; ++i) {
-      // Polygons are after the round bodies.
-      if (shadow < sides_.size() && i == sides_[shadow] &&
-          std::ranges::all_of(behind_[shadow], [&](const Plane<double>& plane) {
+    for (std::size_t i = shadow.begin; i < shadow.end; ++i) {
+      if (i == shadow.sides && std::ranges::all_of(shadow.behind, [&](const Plane<double>& plane) {
             return plane.distance(from) <= 0 && plane.distance(to) <= 0;
           }))
         break;
@@ -147,15 +152,16 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   };
   const Span whole{0, 1, true};
   if (std::ranges::any_of(everywhere_, hides_all)) return {whole};
-  if (const auto seen =
-          everywhere_.size() == boxes_.size() ? std::nullopt : project_segment(camera_, from, to)) {
+  if (const auto seen = everywhere_.size() == shadows_.size()
+                            ? std::nullopt
+                            : project_segment(camera_, from, to)) {
     const Box line = box_of(std::array{seen->from, seen->to});
     const Eigen::Vector2i first = cell_at(line.min()), last = cell_at(line.max());
     for (int row = first.y(); row <= last.y(); ++row)
       for (int column = first.x(); column <= last.x(); ++column)
         for (const int index : at(cells_, row * kColumns + column)) {
           // A shadow counts only in the first cell that it shares with the line.
-          const Box both = at(boxes_, index).intersection(line);
+          const Box both = at(shadows_, index).box.intersection(line);
           if (both.isEmpty() || cell_at(both.min()) != Eigen::Vector2i(column, row)) continue;
           if (hides_all(index)) return {whole};
         }

@@ -1,7 +1,6 @@
 #include "draw/scene/layout.h"
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 
 #include "draw/scene/palette.h"

@@ -61,9 +61,8 @@ struct Placement {
 
   std::vector<PlacedLabel> run() {
     places.resize(labels.size());
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kRounds; ++round)
       for (std::size_t i = 0; i < labels.size(); ++i) places[i] = best(i);
-    }
     return mapped(places, [](const std::optional<PlacedLabel>& place) { return *place; });
   }
 
@@ -114,9 +113,8 @@ struct Placement {
     const Rect room{padded.x - between, padded.y, padded.width + 2 * between, padded.height};
     const auto takes_room = [&](const Rect& taken) { return room.overlaps(taken); };
     if (std::ranges::any_of(obstacles.boxes, takes_room)) return false;
-    for (std::size_t other = 0; other < places.size(); ++other) {
+    for (std::size_t other = 0; other < places.size(); ++other)
       if (other != label && places[other] && takes_room(places[other]->box)) return false;
-    }
     return true;
   }
 
@@ -146,9 +144,8 @@ struct Placement {
       }
     }
     if (found) return *found;
-    for (double y = frame.y + 0.5 * high; y < frame.bottom(); y += 0.5 * high) {
+    for (double y = frame.y + 0.5 * high; y < frame.bottom(); y += 0.5 * high)
       for (double x = frame.x + 0.5 * width; x < frame.right(); x += height) consider(x, y, 0);
-    }
     if (found) return *found;
     // No free place: at the anchor, pushed into the frame.
     const Point2& at = anchors.front();

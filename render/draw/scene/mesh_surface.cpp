@@ -117,12 +117,10 @@ void draw_mesh(const Scene& scene, const PlacedShape& shape, const Color& fill, 
   const std::vector<bool> front = draw_faces(scene.camera, shape, fill, open, sketch);
   // Triangles in reach of other shapes need the exact depth order.
   Eigen::AlignedBox3d reach;
-  for (const PlacedShape& other : scene.shapes) {
+  for (const PlacedShape& other : scene.shapes)
     if (&other != &shape && !other.is_mesh()) reach.extend(box_around(extent_points(other)));
-  }
-  for (Surface& surface : std::span(sketch.surfaces).subspan(before)) {
+  for (Surface& surface : std::span(sketch.surfaces).subspan(before))
     if (many && !reach.intersects(box_around(surface.polygon))) surface.body = kSmallSurface;
-  }
 
   const auto hidden = many ? LineStyle::Hidden::Gone : LineStyle::Hidden::Faint;
   const LineStyle border{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint};

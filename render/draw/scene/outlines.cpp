@@ -1,5 +1,7 @@
 #include "draw/scene/outlines.h"
 
+#include <array>
+#include <cassert>
 #include <map>
 #include <utility>
 
@@ -22,6 +24,115 @@ Outline cut(const Outline& polygon, const Vec2d& from, const Vec2d& to, bool lef
         return p + at_p / (at_p - at_q) * (q - p);
       });
 }
+
+/// Crossings of the contour lines with the sides of the grid's squares. The side from grid point i
+/// to the next column has number 2 i, the side to the next row 2 i + 1.
+class Crossings {
+ public:
+  Crossings(std::span<const double> values, int columns, double level)
+      : values_(values),
+        columns_(columns),
+        rows_(count_of(values) / columns),
+        level_(level),
+        next_(2 * values.size(), {-1, -1}) {
+    for (int row = 0; row + 1 < rows_; ++row)
+      for (int column = 0; column + 1 < columns_; ++column) join_sides_of(column, row);
+  }
+
+  std::vector<Contour> lines() {
+    std::vector<Contour> found;
+    // First the open lines, which end at the border. The remaining ones are closed.
+    for (const bool closed : {false, true}) {
+      for (int side = 0; side < count_of(next_); ++side) {
+        const auto& [one, other] = at(next_, side);
+        if (one >= 0 && (closed || other < 0)) found.push_back(follow(side, closed));
+      }
+    }
+    return found;
+  }
+
+ private:
+  bool above(int column, int row) const { return at(values_, row * columns_ + column) > level_; }
+
+  void join_sides_of(int column, int row) {
+    const int corner = row * columns_ + column;
+    // Below, right, above, left; side k runs from corner k to the next, counter-clockwise.
+    const std::array<int, 4> sides{2 * corner, 2 * (corner + 1) + 1, 2 * (corner + columns_),
+                                   2 * corner + 1};
+    const std::array<bool, 4> high{above(column, row), above(column + 1, row),
+                                   above(column + 1, row + 1), above(column, row + 1)};
+    std::array<int, 4> crossed{};
+    int count = 0;
+    for (int k = 0; k < 4; ++k)
+      if (at(high, k) != at(high, (k + 1) % 4)) at(crossed, count++) = at(sides, k);
+    if (count == 2) return join(crossed[0], crossed[1]);
+    if (count == 0) return;
+    const double mean = (at(values_, corner) + at(values_, corner + 1) +
+                         at(values_, corner + columns_) + at(values_, corner + columns_ + 1)) /
+                        4;
+    // Ambiguous: corners 0 and 2 are connected if the middle is on their side of the level.
+    const bool joined = (mean > level_) == high[0];
+    join(sides[0], sides[joined ? 1 : 3]);
+    join(sides[2], sides[joined ? 3 : 1]);
+  }
+
+  void join(int one, int other) {
+    const auto add = [this](int side, int to) {
+      auto& [first, second] = at(next_, side);
+      (first < 0 ? first : second) = to;
+    };
+    add(one, other);
+    add(other, one);
+  }
+
+  Vec3d place(int side) const {
+    const int from = side / 2, to = from + (side % 2 == 0 ? 1 : columns_);
+    const double low = at(values_, from), high = at(values_, to);
+    const double part = (level_ - low) / (high - low);
+    const Vec3d start(from % columns_, from / columns_, 0);
+    return start + part * (side % 2 == 0 ? Vec3d::UnitX() : Vec3d::UnitY());
+  }
+
+  /// If the line connects two grid points across a square whose third corner is also on the level,
+  /// it passes through that corner. Otherwise corners of a solid on the grid would be cut off.
+  void go_to(const Vec3d& to, std::vector<Vec3d>& points) const {
+    if (!points.empty()) {
+      const Vec3d from = points.back();
+      const bool on_grid =
+          from == from.array().round().matrix() && to == to.array().round().matrix();
+      for (const Vec3d& turn : {Vec3d(from.x(), to.y(), 0), Vec3d(to.x(), from.y(), 0)}) {
+        if (!on_grid || turn == from || turn == to) continue;
+        if (at(values_, static_cast<int>(turn.y()) * columns_ + static_cast<int>(turn.x())) ==
+            level_)
+          points.push_back(turn);
+      }
+    }
+    points.push_back(to);
+  }
+
+  /// Removes the links that it follows.
+  Contour follow(int start, bool closed) {
+    Contour line{{}, closed};
+    for (int side = start, before = -1; side >= 0;) {
+      go_to(place(side), line.points);
+      auto& neighbours = at(next_, side);
+      const int on = neighbours[0] != before ? neighbours[0] : neighbours[1];
+      neighbours = {-1, -1};
+      before = side;
+      side = on == start ? -1 : on;
+    }
+    if (closed) {
+      go_to(Vec3d(line.points.front()), line.points);
+      line.points.pop_back();
+    }
+    return line;
+  }
+
+  std::span<const double> values_;
+  int columns_, rows_;
+  double level_;
+  std::vector<std::array<int, 2>> next_;  // for each side, the two sides to which lines continue
+};
 
 }  // namespace
 
@@ -89,6 +200,11 @@ std::vector<Outline> outlines_before(const std::vector<Point2>& polygon, const C
   for (auto& [body, points] : round) found.push_back(convex_polygon(std::move(points)));
   std::erase_if(found, [](const Outline& outline) { return outline.size() < 3; });
   return found;
+}
+
+std::vector<Contour> contours_at(std::span<const double> values, int columns, double level) {
+  assert(columns > 0 && values.size() % static_cast<std::size_t>(columns) == 0);
+  return Crossings(values, columns, level).lines();
 }
 
 }  // namespace contactscope::draw

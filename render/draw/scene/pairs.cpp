@@ -30,9 +30,8 @@ double share_behind_a(const trace::Pair& pair, const trace::Manifold& manifold,
   const bool deepest = std::ranges::none_of(manifold.points, [&](const trace::Point& other) {
     return other.separation < point.separation;
   });
-  if (manifold.axis == "edge_edge" && point.separation < 0 && deepest) {
+  if (manifold.axis == "edge_edge" && point.separation < 0 && deepest)
     return 0.5 + 0.5 * (radius_b - radius_a) / point.separation;
-  }
   return radius_a > 0 ? 1 : 0;
 }
 
@@ -60,9 +59,8 @@ OnBoth surfaces_scaled(const Scene& scene, const trace::Pair& pair, const PairPo
 
 std::vector<PairPoint> all_points(const trace::Pair& pair) {
   std::vector<PairPoint> points;
-  for (const trace::Manifold& manifold : pair.manifolds) {
+  for (const trace::Manifold& manifold : pair.manifolds)
     for (const trace::Point& point : manifold.points) points.push_back({&manifold, &point});
-  }
   return points;
 }
 
@@ -176,9 +174,8 @@ std::vector<const trace::Pair*> distinct_pairs(const std::vector<trace::Frame>& 
   std::set<std::array<std::string_view, 3>> known;
   std::vector<const trace::Pair*> pairs;
   for (const trace::Frame& frame : frames) {
-    for (const trace::Pair& pair : frame.pairs) {
+    for (const trace::Pair& pair : frame.pairs)
       if (holds(pair) && known.insert({pair.a, pair.b, pair.label}).second) pairs.push_back(&pair);
-    }
   }
   return pairs;
 }

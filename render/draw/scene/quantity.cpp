@@ -106,9 +106,8 @@ std::string spell_area(double square_metres) {
 
 double round_down(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {5.0, 2.0}) {
+  for (const double step : {5.0, 2.0})
     if (step * decade <= value * (1 + 1e-12)) return step * decade;
-  }
   return decade;
 }
 

@@ -24,6 +24,25 @@ constexpr double kBorder = 1.2e-3, kSmallBorder = 0.011;
 constexpr int kLongitudes = 48, kSmallLongitudes = 16;
 constexpr double kLatitudeStep = 7.5 * kPi / 180, kSmallLatitudeStep = 24 * kPi / 180;
 
+// The unit normals with n . towards >= least.
+struct NormalCap {
+  Vec3d towards;  // unit
+  double least;
+
+  double operator()(const Vec3d& normal) const { return normal.dot(towards) - least; }
+
+  std::vector<Vec3d> border() const {
+    const Vec3d u = any_perpendicular(towards), v = towards.cross(u);
+    const double across = std::sqrt(std::max(0.0, 1 - least * least));
+    std::vector<Vec3d> circle;
+    for (int i = 0; i < kSmallOutlineSteps; ++i) {
+      const double angle = 2 * kPi * i / kSmallOutlineSteps;
+      circle.push_back(least * towards + across * (std::cos(angle) * u + std::sin(angle) * v));
+    }
+    return circle;
+  }
+};
+
 // On the outline the normal is perpendicular to the view ray: n . towards = offset.
 struct Tangency {
   Vec3d towards;
@@ -33,6 +52,11 @@ struct Tangency {
       : towards(camera.is_perspective() ? Vec3d(camera.eye() - core) : camera.to_eye(core)),
         offset(camera.is_perspective() ? radius : 0) {}
   double front(const Vec3d& normal) const { return normal.dot(towards) - offset; }
+  /// The normals in front.
+  NormalCap cap() const {
+    const double distance = towards.norm();
+    return {towards / distance, offset / distance};
+  }
 };
 
 Vec3d cut_between(const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
@@ -127,13 +151,12 @@ std::vector<OutlinePoint> outline_of(const RoundBody& body, const Camera& camera
   for (const Vec3d& core : body.core) {
     const bool first = &core == &body.core.front();
     const Vec3d outwards = core - (first ? body.core.back() : body.core.front());
-    const Tangency tangency(camera, core, body.radius);
-    const double distance = tangency.towards.norm();
-    if (distance <= tangency.offset) continue;  // next to the eye, which sees another part only
+    const NormalCap front = Tangency(camera, core, body.radius).cap();
+    if (front.least >= 1) continue;  // next to the eye, which sees another part only
     // The normals that are perpendicular to a view ray form a circle about the direction to the
     // eye. This end has those that point outwards from the segment.
-    const Vec3d axis = tangency.towards / distance;
-    const double height = tangency.offset / distance;
+    const Vec3d& axis = front.towards;
+    const double height = front.least;
     const double across = std::sqrt(1 - height * height);
     const Vec3d u = any_perpendicular(axis);
     const Vec3d v = axis.cross(u);
@@ -161,25 +184,6 @@ std::vector<OutlinePoint> outline_of(const RoundBody& body, const Camera& camera
   return outline;
 }
 
-// The unit normals with n . towards >= least.
-struct Cap {
-  Vec3d towards;  // unit
-  double least;
-
-  double operator()(const Vec3d& normal) const { return normal.dot(towards) - least; }
-
-  std::vector<Vec3d> border() const {
-    const Vec3d u = any_perpendicular(towards), v = towards.cross(u);
-    const double across = std::sqrt(std::max(0.0, 1 - least * least));
-    std::vector<Vec3d> circle;
-    for (int i = 0; i < kSmallOutlineSteps; ++i) {
-      const double angle = 2 * kPi * i / kSmallOutlineSteps;
-      circle.push_back(least * towards + across * (std::cos(angle) * u + std::sin(angle) * v));
-    }
-    return circle;
-  }
-};
-
 // Each part of a body, seen, is convex for each tone, because the light is on the eye's side: the
 // balls behind a capsule's cylinder, the cylinder, and the half of a ball in front of it.
 std::vector<RoundBody::Facet> tones_of(const RoundBody& body, const Camera& camera) {
@@ -188,19 +192,15 @@ std::vector<RoundBody::Facet> tones_of(const RoundBody& body, const Camera& came
   const bool back_is_near = is_capsule && camera.faces(body.core.back(), along);
   const Vec3d& near = back_is_near ? body.core.back() : body.core.front();
   const Vec3d& far = back_is_near ? body.core.front() : body.core.back();
-  const Cap lit[] = {{key_light(camera), -1},  // of all tones
-                     {key_light(camera), kToneBorders[1]},
-                     {key_light(camera), kToneBorders[0]}};
-  const Cap half{is_capsule ? Vec3d((near - far).normalized()) : Vec3d::UnitX(), 0};
-  const auto front = [&](const Vec3d& core) -> Cap {
-    const Tangency tangency(camera, core, body.radius);
-    const double distance = tangency.towards.norm();
-    return {tangency.towards / distance, tangency.offset / distance};
-  };
+  const NormalCap lit[] = {{key_light(camera), -1},  // of all tones
+                           {key_light(camera), kToneBorders[1]},
+                           {key_light(camera), kToneBorders[0]}};
+  const NormalCap half{is_capsule ? Vec3d((near - far).normalized()) : Vec3d::UnitX(), 0};
+  const auto front = [&](const Vec3d& core) { return Tangency(camera, core, body.radius).cap(); };
   std::vector<RoundBody::Facet> tones;
   // The part around some of the core's ends whose normals are in all caps: it is the hull of the
   // `borders` of the first caps.
-  const auto add = [&](std::initializer_list<Vec3d> cores, std::span<const Cap> caps,
+  const auto add = [&](std::initializer_list<Vec3d> cores, std::span<const NormalCap> caps,
                        std::size_t borders, double tone) {
     std::vector<Vec3d> points;
     std::vector<Vec2d> seen;
@@ -221,12 +221,13 @@ std::vector<RoundBody::Facet> tones_of(const RoundBody& body, const Camera& came
     if (polygon.size() >= 3) tones.push_back({std::move(polygon), tone + 1e-9});
   };
   const bool near_is_in_front = camera.faces(near, near - far);
-  for (const Cap& cap : lit) add({far}, std::array{front(far), cap}, 2, cap.least);
+  for (const NormalCap& cap : lit) add({far}, std::array{front(far), cap}, 2, cap.least);
   if (!is_capsule) return tones;
-  for (const Cap& cap : lit)
+  for (const NormalCap& cap : lit)
     if (!near_is_in_front) add({near}, std::array{front(near), cap}, 2, cap.least);
-  for (const Cap& cap : lit) add({far, near}, std::array{half, front(far), cap}, 1, cap.least);
-  for (const Cap& cap : lit)
+  for (const NormalCap& cap : lit)
+    add({far, near}, std::array{half, front(far), cap}, 1, cap.least);
+  for (const NormalCap& cap : lit)
     if (near_is_in_front) add({near}, std::array{front(near), cap, half}, 3, cap.least);
   return tones;
 }
@@ -305,11 +306,8 @@ ConvexShadow RoundBody::shadow(const Camera& camera) const {
   // What is behind the circles of the outline and within it is behind all planes.
   shadow.sides = std::min(planes.size(), outline.size() + 1);
   for (const Vec3d& end : core) {
-    const Tangency tangency(camera, end, radius);
-    const double distance = tangency.towards.norm();
-    const Vec3d normal = tangency.towards / distance;
-    shadow.behind.push_back(
-        {normal, normal.dot(end) + radius * (tangency.offset / distance - border)});
+    const NormalCap seen = Tangency(camera, end, radius).cap();
+    shadow.behind.push_back({seen.towards, seen.towards.dot(end) + radius * (seen.least - border)});
   }
   return shadow;
 }

@@ -104,9 +104,8 @@ std::optional<std::size_t> ShapeMeshes::find(std::string_view name) const {
 
 double ShapeMeshes::smallest_radius() const {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const ShapeMesh& mesh : *this) {
+  for (const ShapeMesh& mesh : *this)
     if (mesh.radius > 0) smallest = std::min(smallest, mesh.radius);
-  }
   return smallest;
 }
 

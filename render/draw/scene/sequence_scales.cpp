@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "draw/scene/contact_facts.h"
+#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
@@ -41,9 +41,8 @@ double fit_overlap(double deepest, double pixel) {
   const double wanted = kExaggeratedDepth * pixel / deepest;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
   double factor = 10 * decade;
-  for (const double step : {5.0, 2.0, 1.0}) {
+  for (const double step : {5.0, 2.0, 1.0})
     if (step * decade >= 0.75 * wanted) factor = step * decade;
-  }
   return factor;
 }
 

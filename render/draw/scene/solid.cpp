@@ -154,9 +154,8 @@ bool in_view(const Camera& camera, const PlacedShape& shape) {
   // Corners first, because the first one is visible if the shape is in the middle of the picture.
   if (std::ranges::any_of(shape.vertices, is_seen)) return true;
   if (std::ranges::any_of(extent_points(shape), is_seen)) return true;
-  for (int f = 0; f < count_of(shape.mesh->normals); ++f) {
+  for (int f = 0; f < count_of(shape.mesh->normals); ++f)
     if (!project_polygon(camera, shape.polygon(f)).empty()) return true;
-  }
   return false;
 }
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <type_traits>
 
-#include "draw/scene/figure_style.h"
+#include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "draw/scene/box_outline.h"
+#include "draw/scene/outlines.h"
 
 namespace contactscope::draw {
 namespace {

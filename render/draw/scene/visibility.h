@@ -113,17 +113,21 @@ class HiddenLines {
 
  private:
   using Box = Eigen::AlignedBox2d;  // on the screen, in cells
+  struct Shadow {
+    std::size_t begin = 0, end = 0;  // of its bounds
+    std::size_t sides = 0;           // the first bound that what is behind meets; or `end`
+    std::vector<Plane<double>> behind{};
+    Box box{};
+    double away = 0;  // from the eye
+  };
 
   Box box_of(std::span<const Point2> points) const;
 
   Camera camera_;
   std::vector<Plane<double>> bounds_;  // of all shadows, concatenated
-  std::vector<std::size_t> begins_;    // first bound of each shadow, and the end of the last
-  std::vector<std::size_t> sides_;     // likewise the first that what is behind meets
-  std::vector<std::vector<Plane<double>>> behind_;  // of each shadow
-  std::vector<int> everywhere_;                     // shadows that are checked for all lines
+  std::vector<Shadow> shadows_;
+  std::vector<int> everywhere_;          // shadows that are checked for all lines
   std::vector<std::vector<int>> cells_;  // the other shadows, by screen cell, the nearest first
-  std::vector<Box> boxes_;               // of all shadows
   double border_ = 0;                    // metres
 };
 

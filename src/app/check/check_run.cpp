@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <future>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 
+#include "app/check/lint.h"
 #include "app/check/reports/report.h"
-#include "app/cli/catalogue.h"
-#include "app/cli/faults.h"
 #include "app/cli/progress.h"
 #include "app/cli/sequence.h"
 #include "app/render/figure_canvas.h"
@@ -19,7 +16,6 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/spell.h"
-#include "draw/staging.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
 #include "snapshot/brittle.h"

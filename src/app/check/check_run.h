@@ -18,7 +18,7 @@ namespace contactscope::app {
 /// InputError if there is no snapshot folder and none is to be written.
 snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options);
 
-// moved_layers.cpp
+// check.cpp
 
 /// Parts of a picture that moved with the facts.
 struct MovedLayers {

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/lint.h"
-#include "app/cli/faults.h"
 #include "app/cli/verbs.h"
 #include "image/font.h"
 
@@ -50,9 +49,8 @@ class Inventory {
   std::string words(const trace::Header& header) const {
     std::string text = "trace of " + header.scenario + ", frames " + std::to_string(frames_) +
                        ", shapes " + std::to_string(header.shapes.size());
-    for (const auto& [what, count] : found_) {
+    for (const auto& [what, count] : found_)
       if (count > 0) text += ", " + what + " " + std::to_string(count);
-    }
     return text;
   }
 

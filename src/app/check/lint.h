@@ -1,10 +1,15 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "app/cli/catalogue.h"
 #include "lint/linter.h"
 
+/// Findings of `lint` in the contacts of scenarios and traces.
 namespace contactscope::app {
 
 /// Text of a finding: two or three lines, without the last line break.
@@ -12,5 +17,24 @@ std::string record(const std::string& file, const lint::Finding& finding);
 
 /// JSON of a finding.
 nlohmann::ordered_json to_json(const lint::Finding& finding);
+
+/// The options of `lint`. Throws UsageError.
+lint::LintOptions linter_options(const Options& options);
+
+/// Findings about the pipeline's results for a scenario, with their lines in the frames + 1 lines
+/// of `contactscope trace`.
+std::vector<lint::Finding> lint_scenario(const Scenario& scenario, const std::vector<int>& frames,
+                                         const lint::LintOptions& options);
+
+/// Findings about a trace, hints and those below a threshold included, for these frames (all
+/// without), and the line where it breaks off. `look` is called with every frame. Throws InputError
+/// and UsageError.
+std::vector<lint::Finding> lint_trace(TraceFile& file, const lint::LintOptions& options,
+                                      const std::optional<FrameRange>& frames = {},
+                                      const std::function<void(const trace::Frame&)>& look = {});
+
+/// Runs `lint` over all frames of an input if a view has the panel `lint`, and adds its findings,
+/// with their places in the frames that are drawn, to such views. Throws InputError and UsageError.
+void add_faults(const Input& input, const std::vector<int>& drawn, std::vector<View>& views);
 
 }  // namespace contactscope::app

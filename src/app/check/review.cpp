@@ -17,8 +17,8 @@
 #include "app/cli/catalogue.h"
 #include "app/cli/progress.h"
 #include "core/input_error.h"
-#include "core/nearest_word.h"
-#include "snapshot/accept.h"
+#include "core/key_table.h"
+#include "snapshot/changes.h"
 #include "snapshot/report_folder.h"
 #include "snapshot/store.h"
 #include "snapshot/verdict.h"
@@ -295,9 +295,8 @@ ExitCode run_accept(const Options& options) {
         "a folder such as hull, or '*' for all; contactscope review --list prints the findings");
   snapshot::Outcome outcome = snapshot::read_outcome(report_folder(options));
   int refused = 0, accepted = 0;
-  for (Finding* finding : findings_named(outcome, options.scenarios)) {
+  for (Finding* finding : findings_named(outcome, options.scenarios))
     if (finding->fails()) ++(accept_one(options, outcome, *finding) ? accepted : refused);
-  }
   snapshot::write_outcome(report_folder(options), outcome);
   rewrite_page(report_folder(options), outcome, options);
   if (!options.quiet)

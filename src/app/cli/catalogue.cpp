@@ -11,9 +11,9 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/input_file.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 #include "core/spell.h"
-#include "draw/scene/contact_facts.h"
+#include "draw/scene/pair_words.h"
 #include "reduce/reducer.h"
 
 namespace contactscope::app {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -89,9 +90,8 @@ ExitCode run_list(const Options& options) {
     for (const Item& item : items) width = std::max(width, item.name.size());
     for (const Item& item : items) {
       std::cout << indent << item.name;
-      if (!item.summary.empty()) {
+      if (!item.summary.empty())
         std::cout << std::string(width - item.name.size() + 2, ' ') << item.summary;
-      }
       std::cout << '\n';
     }
   }

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "core/at.h"
-#include "core/nearest_word.h"
-#include "draw/scene/contact_facts.h"
+#include "core/key_table.h"
+#include "draw/scene/pair_words.h"
 
 namespace contactscope::app {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/cli/options.h"
 #include "app/render/formats/format.h"
 #include "core/at.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 #include "draw/scene/theme.h"
 #include "reduce/reducer.h"
 #include "study/study.h"

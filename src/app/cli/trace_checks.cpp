@@ -9,7 +9,7 @@
 #include "app/cli/table.h"
 #include "core/at.h"
 #include "core/input_error.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 #include "core/plane.h"
 #include "core/spell.h"
 #include "geometry/hull_builder.h"

@@ -7,8 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "app/cli/options.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 
 namespace contactscope::app {
 

@@ -6,9 +6,8 @@
 #include "app/cli/progress.h"
 #include "app/cli/trace_file.h"
 #include "core/input_error.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 #include "scenario/run.h"
-#include "versus/engine.h"
 #include "versus/request.h"
 
 namespace contactscope::app {

@@ -206,9 +206,8 @@ ExitCode run_explore(const Options& options) {
   });
 
   if (options.json) {
-    for (const trace::Exploration& exploration : explorations) {
+    for (const trace::Exploration& exploration : explorations)
       std::cout << trace::to_json_line(exploration) << '\n';
-    }
   } else if (!explorations.empty()) {
     print_table(explorations, std::cout);
   }

@@ -1,5 +1,3 @@
-#include "app/compare/rollout.h"
-
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>

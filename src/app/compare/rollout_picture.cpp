@@ -1,4 +1,4 @@
-#include "app/compare/rollout.h"
+#include "app/compare/engine_runs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "study/study.h"
-#include "versus/engine.h"
+#include "versus/request.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,7 +13,7 @@
 #include "app/cli/table.h"
 #include "app/cli/verbs.h"
 #include "app/render/renderer.h"
-#include "core/nearest_word.h"
+#include "core/key_table.h"
 #include "draw/charts/plot.h"
 #include "image/png.h"
 #include "image/whole_file.h"
@@ -87,9 +87,7 @@ ExitCode run_study(const Options& options) {
     keep("plot" + suffix + ".png",
          encode_png(renderer.paint(draw::plot(record, size.width, size.height))));
   }
-  if (options.tables_only) {
-    log.left_out("plots and OpenGL, because of --table");
-  }
+  if (options.tables_only) log.left_out("plots and OpenGL, because of --table");
   stop_if_interrupted();
   std::filesystem::create_directories(folder);
   for (const auto& [path, bytes] : files) write_whole_file(path.string(), bytes);

@@ -8,7 +8,6 @@
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/compare/engine_runs.h"
-#include "app/compare/rollout.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
@@ -159,14 +158,14 @@ void write_pictures(const Match& match, const Options& options, Renderer& render
   const fs::path root = fs::path(options.out) / "versus" / match.name;
   for (const Names& names : pairs) {
     std::vector<draw::ContactMoment> moments;
-    for (const trace::Frame& requested : match.request.frames) {
+    for (const trace::Frame& wanted : match.request.frames) {
       draw::ContactMoment& moment = moments.emplace_back();
-      moment.frame = requested.frame;
+      moment.frame = wanted.frame;
       moment.caption =
-          names.first + " and " + names.second + ", frame " + std::to_string(requested.frame);
+          names.first + " and " + names.second + ", frame " + std::to_string(wanted.frame);
       for (const EngineRun& engine_run : match.engine_runs) {
         const auto& frames = engine_run.trace.frames;
-        const auto frame = std::ranges::find(frames, requested.frame, &trace::Frame::frame);
+        const auto frame = std::ranges::find(frames, wanted.frame, &trace::Frame::frame);
         moment.cells.push_back(
             cell_of(engine_run, frame == frames.end() ? nullptr : &*frame, names));
       }
@@ -175,9 +174,9 @@ void write_pictures(const Match& match, const Options& options, Renderer& render
                                    moments, 0, size.width, size.height);
     const fs::path folder = pairs.size() > 1 ? root / (names.first + "-" + names.second) : root;
     fs::create_directories(folder);
-    for (const trace::Frame& requested : match.request.frames) {
-      const std::string name = snapshot::frame_stem(requested.frame) + ".png";
-      encoders.submit((folder / name).string(), renderer.paint(cells.frame(requested.frame)));
+    for (const trace::Frame& wanted : match.request.frames) {
+      const std::string name = snapshot::frame_stem(wanted.frame) + ".png";
+      encoders.submit((folder / name).string(), renderer.paint(cells.frame(wanted.frame)));
       ++pictures;
     }
   }

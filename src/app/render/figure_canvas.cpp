@@ -4,12 +4,16 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
+#include "app/cli/narrow.h"
 #include "core/at.h"
 #include "draw/panels/panel.h"
-#include "draw/staging.h"
+#include "image/encoding.h"
 #include "scenario/words_file.h"
+#include "view/title.h"
 
 namespace contactscope::app {
 namespace {
@@ -106,6 +110,31 @@ std::string words_path(const std::string& named) {
                    "list words` prints its keys");
 }
 
+namespace fs = std::filesystem;
+
+std::string hash_of_file(const std::string& path) {
+  constexpr std::uintmax_t kMax = 64u << 20;
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown) || fs::file_size(path, unknown) > kMax) return "";
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  return file ? sha256(bytes) : "";
+}
+
+/// Prevents a path with a leading dash from being taken for an option.
+std::string no_option(const std::string& path) {
+  return path.starts_with('-') ? "./" + path : path;
+}
+
+/// Argument for a command line: the name of a scenario if it is below the root, else its path.
+std::string argument_of(const Input& input, const Options& options) {
+  if (input.trace || !input.file.empty())
+    return input.file == "standard input" ? "-" : no_option(input.file);
+  const Scenario& scenario = input.scenario;
+  return is_found_by_name(scenario, options) && scenario.name[0] != '-' ? scenario.name
+                                                                        : no_option(scenario.path);
+}
+
 }  // namespace
 
 FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Frame>& frames,
@@ -171,6 +200,44 @@ void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Im
   for (int row = 0; row < rows; ++row)
     std::memcpy(&to.rgb[pixel(to, x, y + row)], &from.rgb[pixel(from, from_x, from_y + row)],
                 3 * static_cast<std::size_t>(columns));
+}
+
+std::string for_shell(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+:,./@%";
+  const bool is_plain = word.find_first_not_of(kPlain) == std::string::npos;
+  if (is_plain && !word.empty() && word[0] != '=') return word;  // zsh expands "=ls" to a path
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string frames_option(const Options& options) {
+  if (!options.frames) return "";
+  const auto& [first, last, step] = *options.frames;
+  if (last == first) return " --frames " + std::to_string(first);
+  return " --frames " + std::to_string(first) + ":" + std::to_string(last) +
+         (step == 1 ? "" : ":" + std::to_string(step));
+}
+
+PictureOrigin origin_of(const Input& input, const trace::Header& header, const Options& options) {
+  PictureOrigin origin;
+  origin.version = CONTACTSCOPE_VERSION;
+  origin.scenario = input.scenario.name;
+  origin.title = plain_title(header.title);
+  origin.sha256 = hash_of_file(input.file.empty() ? input.scenario.path : input.file);
+  origin.command = "contactscope render " + for_shell(argument_of(input, options)) + options.given;
+  return origin;
+}
+
+PictureOrigin of_view(PictureOrigin origin, const View& view, bool is_one_of_several,
+                      const Options& options) {
+  origin.view = view.name;
+  if (views_are_of_file(options))
+    origin.command += " --view " + for_shell(options.view);
+  else if (is_one_of_several)
+    origin.command += " --view " + for_shell(view.name);
+  return origin;
 }
 
 }  // namespace contactscope::app

@@ -6,9 +6,10 @@
 #include "app/cli/catalogue.h"
 #include "app/cli/verbs.h"
 #include "draw/scene/drawing.h"
-#include "draw/scene/figure_style.h"
+#include "draw/scene/layout.h"
 #include "draw/staging.h"
 #include "image/image.h"
+#include "image/png.h"
 #include "trace/trace.h"
 #include "view/view.h"
 
@@ -39,5 +40,19 @@ draw::Staging stage_cell(const trace::Header& header, const std::vector<trace::F
 
 /// Copies the centre of a crop to the centre of a cell.
 void paste(const Image& from, const draw::Rect& part, const draw::Rect& cell, Image& to);
+
+/// Origin metadata of the pictures of a scenario or trace, without frame and format. It has a hash
+/// of the current file, except for standard input and traces larger than 64 MB.
+PictureOrigin origin_of(const Input& input, const trace::Header& header, const Options& options);
+
+/// Origin of one view. `is_one_of_several`: the command must name the view.
+PictureOrigin of_view(PictureOrigin origin, const View& view, bool is_one_of_several,
+                      const Options& options);
+
+/// " --frames 0:23:4" if given, else empty.
+std::string frames_option(const Options& options);
+
+/// Quotes a word for a shell if necessary.
+std::string for_shell(const std::string& word);
 
 }  // namespace contactscope::app

@@ -17,9 +17,8 @@ ExitCode run_trace(const Options& options) {
   stages.decisions = true;
   Runner runner(scenario, stages);
   std::cout << trace::to_json_line(runner.header()) << '\n';
-  for (const int frame : options.selected(scenario.frames)) {
+  for (const int frame : options.selected(scenario.frames))
     std::cout << trace::to_json_line(runner.frame(frame)) << '\n';
-  }
   return ExitCode::Same;
 }
 

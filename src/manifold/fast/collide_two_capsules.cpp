@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "manifold/contact.h"
-#include "manifold/round_order.h"
+#include "manifold/round_contact.h"
 #include "query/fast/packed_vectors.h"
 #include "query/tolerance.h"
 

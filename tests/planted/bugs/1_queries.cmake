@@ -8,10 +8,10 @@ planted_bug(no_preference FILE src/query/sat.cpp TESTS query
 planted_bug(deepest_face_of_b_is_of_a FILE src/query/sat.cpp TESTS query manifold
   WAS [[const bool is_of_b = result.face_b.separation > result.face_a.separation;]]
   IS [[const bool is_of_b = !@BUG@ && result.face_b.separation > result.face_a.separation;]])
-planted_bug(face_ties_go_to_rounding FILE src/query/query_faces.cpp TESTS query
+planted_bug(face_ties_go_to_rounding FILE src/query/sat.cpp TESTS query
   WAS [[all.separation(f) > best.separation + tie)]]
   IS [[all.separation(f) > best.separation + (@BUG@ ? S(0) : tie))]])
-planted_bug(last_face_left_out FILE src/query/query_faces.cpp TESTS query
+planted_bug(last_face_left_out FILE src/query/sat.cpp TESTS query
   WAS [[for (int f = 1; f < reference.normals.count(); ++f) {]]
   IS [[for (int f = 1; f < reference.normals.count() - (@BUG@ ? 1 : 0); ++f) {]])
 planted_bug(slip_of_parallel_edges_separates FILE src/query/query_edges.cpp TESTS query

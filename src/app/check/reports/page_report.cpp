@@ -4,7 +4,7 @@
 #include "app/check/reports/report.h"
 #include "image/encoding.h"
 #include "snapshot/store.h"
-#include "vector/markup.h"
+#include "vector/svg.h"
 
 namespace contactscope {
 

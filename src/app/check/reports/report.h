@@ -23,7 +23,6 @@ struct Report {
   void (*write)(const ReportInput& input);
 };
 
-// Each is defined in the file of its name.
 extern const Report kPageReport, kTerminalReport, kJsonReport, kJunitReport, kGithubReport,
     kMarkdownReport;
 

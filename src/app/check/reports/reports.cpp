@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "app/check/reports/report.h"
-#include "app/render/origin.h"
-#include "snapshot/accept.h"
+#include "app/render/figure_canvas.h"
+#include "snapshot/changes.h"
 #include "snapshot/report_folder.h"
 
 namespace contactscope::app {

@@ -12,7 +12,7 @@
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "image/image.h"
-#include "image/picture_origin.h"
+#include "image/png.h"
 #include "image/whole_file.h"
 #include "trace/trace.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/render/origin.h"
+#include "app/render/figure_canvas.h"
 #include "core/at.h"
 #include "core/spell.h"
 #include "image/whole_file.h"
