@@ -1,6 +1,7 @@
 #include "draw/scene/visibility.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <functional>
 #include <span>
@@ -23,6 +24,8 @@ struct Item {
   // Its own plane is the splitting plane. Such items are not cut even if the polygon is not flat,
   // as in traces of other programs. Both sides then have fewer items than the whole.
   bool parts = false;
+  Vec3d middle = Vec3d::Zero();  // of a ball around the polygon
+  double reach = 0;              // its radius
 };
 
 bool is_small(const Item* item) { return item->surface.body == kSmallSurface; }
@@ -36,7 +39,8 @@ struct Painter {
   const std::vector<RoundBody>& bodies;
   double tolerance;
   std::vector<Surface>& result;
-  std::deque<Item> pieces{};  // cut pieces, at stable addresses
+  std::deque<Item> pieces{};                 // cut pieces, at stable addresses
+  std::vector<std::pair<int, int>> sides{};  // of the current region: nearer and farther body
 
   // Small surfaces outside of the box around all others are sorted separately.
   void paint_separately(Items items, std::span<const Plane<double>> box) {
@@ -66,7 +70,7 @@ struct Painter {
     if (largest->surface.body != kFlatSurface) {
       paint_small(items);
       std::erase_if(items, is_small);
-      paint_bodies(std::move(items), 0, 1, std::vector<int>(bodies.size()));
+      paint_bodies(std::move(items), 0, 1);
       return;
     }
     const Plane<double> plane = largest->plane;
@@ -98,29 +102,40 @@ struct Painter {
     for (const auto& [distance, item] : sorted) result.push_back(std::move(item->surface));
   }
 
-  // Splits the facets of round bodies by the planes of the pairs from (first, second) on. `won`
-  // counts for each body the pairs in which this region is on its side.
-  void paint_bodies(Items items, std::size_t first, std::size_t second, std::vector<int> won) {
-    std::vector<bool> present(bodies.size());
-    for (const Item* item : items) present[static_cast<std::size_t>(item->surface.body)] = true;
-    for (; first < bodies.size(); ++first, second = first + 1) {
-      for (; present[first] && second < bodies.size(); ++second) {
-        if (!present[second]) continue;
-        const Plane<double> plane = power_plane(bodies[first], bodies[second]);
-        auto [front, back, on] = part(plane, items);
-        back.insert(back.end(), on.begin(), on.end());
-        std::vector<int> won_front = won;
-        ++won_front[second];
-        ++won[first];
-        const bool eye_in_front = in_front(plane);
-        if (!eye_in_front) paint_bodies(std::move(front), first, second + 1, won_front);
-        paint_bodies(std::move(back), first, second + 1, won);
-        if (eye_in_front) paint_bodies(std::move(front), first, second + 1, won_front);
-        return;
-      }
+  // Splits the facets of round bodies by the planes of the pairs from (first, second) on.
+  void paint_bodies(Items items, int first, int second) {
+    std::vector<int> present;
+    for (const Item* item : items)
+      if (present.empty() || present.back() != item->surface.body)
+        present.push_back(item->surface.body);
+    std::ranges::sort(present);
+    present.erase(std::unique(present.begin(), present.end()), present.end());
+    for (auto one = std::ranges::lower_bound(present, first); one != present.end(); ++one) {
+      const auto other =
+          std::lower_bound(one + 1, present.end(), *one == first ? second : *one + 1);
+      if (other == present.end()) continue;
+      const Plane<double> plane = power_plane(at(bodies, *one), at(bodies, *other));
+      auto [front, back, on] = part(plane, items);
+      back.insert(back.end(), on.begin(), on.end());
+      const auto paint_side = [&](Items& side, int nearer, int farther) {
+        sides.emplace_back(nearer, farther);
+        paint_bodies(std::move(side), *one, *other + 1);
+        sides.pop_back();
+      };
+      const bool eye_in_front = in_front(plane);
+      if (!eye_in_front) paint_side(front, *other, *one);
+      paint_side(back, *one, *other);
+      if (eye_in_front) paint_side(front, *other, *one);
+      return;
     }
-    std::ranges::stable_sort(items, {},
-                             [&](const Item* item) { return at(won, item->surface.body); });
+    // Bodies that are not in the region were not compared with each other, so they do not count.
+    if (present.size() > 1) {
+      std::vector<int> before(bodies.size());
+      for (const auto& [nearer, farther] : sides)
+        at(before, nearer) += std::ranges::binary_search(present, farther);
+      std::ranges::stable_sort(items, {},
+                               [&](const Item* item) { return at(before, item->surface.body); });
+    }
     put(items);
   }
 
@@ -132,9 +147,11 @@ struct Painter {
   Parts part(const Plane<double>& plane, const Items& items) {
     Parts parts;
     for (Item* item : items) {
-      bool front = false, back = false;
+      const double middle = plane.distance(item->middle);
+      const bool clear = std::abs(middle) > item->reach + 2 * tolerance && !item->parts;
+      bool front = clear && middle > 0, back = clear && middle < 0;
       for (const Vec3d& p : item->surface.polygon) {
-        if (item->parts) break;
+        if (item->parts || clear) break;
         const double d = plane.distance(p);
         front = front || d > tolerance;
         back = back || d < -tolerance;
@@ -175,6 +192,8 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
     const Vec3d normal = newell_normal(surface.polygon);
     if (!(normal.squaredNorm() > 0)) continue;
     Item& item = items.emplace_back();
+    item.middle = own.center();
+    item.reach = 0.5 * own.diagonal().norm();
     if (surface.body == kFlatSurface) {
       item.area = normal.norm();
       const Vec3d unit = normal / item.area;
