@@ -24,14 +24,20 @@ struct Item {
   // Its own plane is the splitting plane. Such items are not cut even if the polygon is not flat,
   // as in traces of other programs. Both sides then have fewer items than the whole.
   bool parts = false;
-  Vec3d middle = Vec3d::Zero();  // of a ball around the polygon
-  double reach = 0;              // its radius
 };
 
-bool is_small(const Item* item) { return item->surface.body == kSmallSurface; }
+/// Items are large, so lists hold pointers to them, and what most comparisons need.
+struct Listed {
+  Item* item;
+  Vec3d middle;  // of a ball around the polygon
+  double reach;  // its radius
+  double area;   // of the item
 
-/// Items are large, so lists hold pointers to them.
-using Items = std::vector<Item*>;
+  Item* operator->() const { return item; }
+};
+using Items = std::vector<Listed>;
+
+bool is_small(const Listed& item) { return item->surface.body == kSmallSurface; }
 
 /// Appends to `result` in painting order, farthest first.
 struct Painter {
@@ -65,8 +71,7 @@ struct Painter {
       put(items);
       return;
     }
-    Item* const largest =
-        *std::ranges::max_element(items, {}, [](const Item* item) { return item->area; });
+    const Listed largest = *std::ranges::max_element(items, {}, &Listed::area);
     if (largest->surface.body != kFlatSurface) {
       paint_small(items);
       std::erase_if(items, is_small);
@@ -83,14 +88,14 @@ struct Painter {
   }
 
   void put(const Items& items) {
-    for (Item* item : items) result.push_back(std::move(item->surface));
+    for (const Listed& item : items) result.push_back(std::move(item->surface));
   }
 
   // Sorts small surfaces by their middles.
   void paint_small(const Items& items) {
-    std::vector<std::pair<double, Item*>> sorted;
+    std::vector<std::pair<double, Listed>> sorted;
     sorted.reserve(items.size());
-    for (Item* item : items) {
+    for (const Listed& item : items) {
       if (!is_small(item)) continue;
       Vec3d sum = Vec3d::Zero();
       for (const Vec3d& p : item->surface.polygon) sum += camera.to_camera(p);
@@ -105,7 +110,7 @@ struct Painter {
   // Splits the facets of round bodies by the planes of the pairs from (first, second) on.
   void paint_bodies(Items items, int first, int second) {
     std::vector<int> present;
-    for (const Item* item : items)
+    for (const Listed& item : items)
       if (present.empty() || present.back() != item->surface.body)
         present.push_back(item->surface.body);
     std::ranges::sort(present);
@@ -134,7 +139,7 @@ struct Painter {
       for (const auto& [nearer, farther] : sides)
         at(before, nearer) += std::ranges::binary_search(present, farther);
       std::ranges::stable_sort(items, {},
-                               [&](const Item* item) { return at(before, item->surface.body); });
+                               [&](const Listed& item) { return at(before, item->surface.body); });
     }
     put(items);
   }
@@ -146,12 +151,15 @@ struct Painter {
 
   Parts part(const Plane<double>& plane, const Items& items) {
     Parts parts;
-    for (Item* item : items) {
-      const double middle = plane.distance(item->middle);
-      const bool clear = std::abs(middle) > item->reach + 2 * tolerance && !item->parts;
-      bool front = clear && middle > 0, back = clear && middle < 0;
+    for (const Listed& item : items) {
+      const double middle = plane.distance(item.middle);
+      if (std::abs(middle) > item.reach + 2 * tolerance) {
+        (middle > 0 ? parts.front : parts.back).push_back(item);
+        continue;
+      }
+      bool front = false, back = false;
       for (const Vec3d& p : item->surface.polygon) {
-        if (item->parts || clear) break;
+        if (item->parts) break;
         const double d = plane.distance(p);
         front = front || d > tolerance;
         back = back || d < -tolerance;
@@ -168,9 +176,10 @@ struct Painter {
             },
             tolerance);
         if (polygon.size() < 3) continue;
-        Item& piece = pieces.emplace_back(*item);
+        Item& piece = pieces.emplace_back(*item.item);
         piece.surface.polygon = std::move(polygon);
-        (sign > 0 ? parts.front : parts.back).push_back(&piece);
+        (sign > 0 ? parts.front : parts.back)
+            .push_back({&piece, item.middle, item.reach, item.area});
       }
     }
     return parts;
@@ -182,7 +191,8 @@ struct Painter {
 std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& camera,
                                    const std::vector<RoundBody>& bodies) {
   std::vector<Item> items;
-  items.reserve(surfaces.size());
+  items.reserve(surfaces.size());  // lists hold pointers to them
+  Items all;
   Eigen::AlignedBox3d whole, middle;  // around all surfaces, and without small ones
   for (Surface& surface : surfaces) {
     if (surface.polygon.size() < 3) continue;
@@ -192,14 +202,13 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
     const Vec3d normal = newell_normal(surface.polygon);
     if (!(normal.squaredNorm() > 0)) continue;
     Item& item = items.emplace_back();
-    item.middle = own.center();
-    item.reach = 0.5 * own.diagonal().norm();
     if (surface.body == kFlatSurface) {
       item.area = normal.norm();
       const Vec3d unit = normal / item.area;
       item.plane = {unit, unit.dot(mean_of(surface.polygon))};
     }
     item.surface = std::move(surface);
+    all.push_back({&item, own.center(), 0.5 * own.diagonal().norm(), item.area});
   }
   std::vector<Plane<double>> sides;
   for (int axis = 0; axis < 3 && !middle.isEmpty(); ++axis) {
@@ -209,9 +218,6 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
   std::vector<Surface> result;
   result.reserve(items.size());
   const double scale = items.empty() ? 0 : whole.sizes().maxCoeff();
-  Items all;
-  all.reserve(items.size());
-  for (Item& item : items) all.push_back(&item);
   Painter{camera, bodies, kOnPlane * scale, result}.paint_separately(std::move(all), sides);
   return result;
 }
