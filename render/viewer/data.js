@@ -92,7 +92,7 @@ function contactsOf(data, read) {
   const next = (field, predicted = 0) => ((single[field][0] = predicted), read(field, single[field]));
   const listOf = (size, kind = Int32Array) => new kind(size);
   data.poseOf = listOf(frames * bodies).fill(-1);   // frame * bodies + body -> pose
-  data.pose = listOf(7 * counts.poses, Float32Array);  // position, rotation w, x, y, z
+  data.pose = listOf(7 * counts.poses, Float64Array);  // position, rotation w, x, y, z
   // frame -> records of pairs -> manifolds -> points
   const contacts = data.contacts = { first: listOf(frames + 1), pair: listOf(counts.records), state: listOf(counts.records), manifolds: listOf(counts.records + 1),
     separation: listOf(counts.records, Float64Array), stages: listOf(counts.records),  // 1 + index of a form
@@ -100,7 +100,7 @@ function contactsOf(data, read) {
     before: listOf(counts.records).fill(-1),            // the pair's record in the frame before; -1: none
     age: listOf(counts.records, Float32Array).fill(NaN), away: listOf(counts.records, Float32Array).fill(NaN) };  // as in `find`, frames
   const manifolds = data.manifolds = { axis: listOf(counts.manifolds), type: listOf(counts.manifolds), triangle: listOf(counts.manifolds), first: listOf(counts.manifolds + 1),
-    normal: listOf(3 * counts.manifolds, Float32Array) };
+    normal: listOf(3 * counts.manifolds, Float64Array) };
   const points = data.points = { id: listOf(counts.points), position: listOf(3 * counts.points, Float64Array), separation: listOf(counts.points, Float64Array),
     impulse: listOf(counts.points, Float32Array), friction: listOf(counts.points, Float32Array) };
   const values = data.values = listOf(counts.values), last = data.pairs.map((_, pair) => ({ follower: lastOf(1).fill(pair + 1, 0, 1), steady: lastOf(1), gap: lastOf(1),

@@ -60,7 +60,7 @@ inline std::string page_of(const CrateOnSlab& scene) {
 // Half of the steps that README.md names, for a smallest shape of 1.73 m.
 inline constexpr double kQuantum = 1.0 / 16384, kPlaceError = 2 * kQuantum,
                         kUnitError = 2.0 / 16384;
-inline double fine(double value) { return std::max(kQuantum / 512, std::abs(value) / 4096) + 1e-9; }
+inline double fine(double value) { return std::max(kQuantum / 512, std::abs(value) / 4096); }
 
 /// The page in headless Chromium.
 class InChromium : public testing::Test {
