@@ -182,7 +182,9 @@ async function start() {
   function jump(list, frame, selection, text, more) {
     button(text, more, make('li', undefined, list), () => {
       if (selection) state.selection = selection;
-      const pose = selection && selection.body !== undefined && poseOf(selection.body, frame);
+      // The camera turns about the body, or the smaller one of the pair.
+      const both = !selection ? [] : selection.pair === undefined ? [selection.body] : data.pairs[selection.pair].slice(0, 2);
+      const pose = both.sort((a, b) => bodies.sizes[a] - bodies.sizes[b]).map(body => poseOf(body, frame)).find(Boolean);
       if (pose) orbit.target.copy(point3(pose));
       go(frame);
     });
