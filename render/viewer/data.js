@@ -2,23 +2,21 @@
 (() => {  // one scope for all scripts; main.js ends it
 // The trace's facts: integers (facts.h), decoded into arrays that the other scripts index.
 
-let data = null;  // set once by main.js, before anything is shown
+let data = null;  // set by main.js, before anything is shown
 const byId = id => document.getElementById(id);
 
-/** Bytes of an element's text: a zlib stream, each 13 bits of it as two of 91 characters (viewer.cpp). */
-async function inflate(element) {
-  const text = element.textContent.trim(), bytes = new Uint8Array((text.length >> 1) * 13 + (text.length & 1) * 6 >> 3), digit = i => text.charCodeAt(i) - (text.charCodeAt(i) > 60 ? 36 : 35);
-  for (let i = 0, at = 0, bits = 0, count = 0; at < bytes.length; ++at) {
-    if (count < 8) {
-      bits |= (digit(i) + 91 * (digit(i + 1) || 0)) << count;
-      count += 13;
-      i += 2;
-    }
-    bytes[at] = bits;
-    bits >>>= 8;
-    count -= 8;
-  }
+const takeText = id => {
+  const element = byId(id);
   element.remove();
+  return element.textContent.trim();
+};
+/** Bytes of a text: a zlib stream, each 13 bits of it as two of 91 characters (viewer.cpp). */
+async function inflate(text) {
+  const digits = new TextEncoder().encode(text).map(code => code - (code > 60 ? 36 : 35)), bytes = new Uint8Array((text.length >> 1) * 13 + (text.length & 1) * 6 >> 3);
+  for (let i = 0, at = 0, bits = 0, count = 0; at < bytes.length; i += 2) {
+    bits |= (digits[i] + 91 * (digits[i + 1] || 0)) << count;
+    for (count += 13; count >= 8; count -= 8, bits >>>= 8) bytes[at++] = bits;
+  }
   const stream = new DecompressionStream('deflate'), writer = stream.writable.getWriter();
   writer.write(bytes);
   writer.close();
@@ -75,17 +73,26 @@ const impulseOf = steps => steps === 0 ? NaN : ((bits[0] = (steps - 1) << 13), a
 /** Multiples of a step, or the upper bits of so many. */
 const fineOf = steps => Math.abs(steps) < 2048 ? steps : ((bits[0] = (Math.abs(steps) + (137 << 11)) << 12), Math.sign(steps) * asFloat[0]);
 
-function unpack(bytes) {
-  const length = new DataView(bytes.buffer).getUint32(0, true), data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
+/** Posts what is the same in all frames, then all other facts. */
+async function unpack(text, post) {
+  const bytes = await inflate(text), length = new DataView(bytes.buffer).getUint32(0, true);
+  data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
   [POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS] = data.fields;
-  const { counts, quantum } = data, frames = data.frames.length, read = reader(bytes, 4 + length);
   data.forms = data.forms.map(form => JSON.parse(form));
   data.shapes = Object.entries(data.header.shapes).map(([name, shape]) => ({ ...shape, name }));
-  const bodies = data.shapes.length, single = Array.from({ length: FIELDS }, () => lastOf(1)), lastPose = data.shapes.map(() => lastOf(7));
+  post(data);
+  const all = contactsOf(data, reader(bytes, 4 + length));
+  Object.assign(data, all);
+  all.totals = totals();
+  post(all, Object.values(all).flatMap(one => one.buffer || Object.values(one).map(list => list.buffer)));
+}
+/** All that changes from frame to frame. */
+function contactsOf(data, read) {
+  const { counts, quantum } = data, frames = data.frames.length, bodies = data.shapes.length, single = Array.from({ length: FIELDS }, () => lastOf(1)), lastPose = data.shapes.map(() => lastOf(7));
   const next = (field, predicted = 0) => ((single[field][0] = predicted), read(field, single[field]));
   const listOf = (size, kind = Int32Array) => new kind(size);
   data.poseOf = listOf(frames * bodies).fill(-1);   // frame * bodies + body -> pose
-  data.pose = listOf(7 * counts.poses, Float32Array);  // position, rotation w, x, y, z
+  data.pose = listOf(7 * counts.poses, Float64Array);  // position, rotation w, x, y, z
   // frame -> records of pairs -> manifolds -> points
   const contacts = data.contacts = { first: listOf(frames + 1), pair: listOf(counts.records), state: listOf(counts.records), manifolds: listOf(counts.records + 1),
     separation: listOf(counts.records, Float64Array), stages: listOf(counts.records),  // 1 + index of a form
@@ -93,7 +100,7 @@ function unpack(bytes) {
     before: listOf(counts.records).fill(-1),            // the pair's record in the frame before; -1: none
     age: listOf(counts.records, Float32Array).fill(NaN), away: listOf(counts.records, Float32Array).fill(NaN) };  // as in `find`, frames
   const manifolds = data.manifolds = { axis: listOf(counts.manifolds), type: listOf(counts.manifolds), triangle: listOf(counts.manifolds), first: listOf(counts.manifolds + 1),
-    normal: listOf(3 * counts.manifolds, Float32Array) };
+    normal: listOf(3 * counts.manifolds, Float64Array) };
   const points = data.points = { id: listOf(counts.points), position: listOf(3 * counts.points, Float64Array), separation: listOf(counts.points, Float64Array),
     impulse: listOf(counts.points, Float32Array), friction: listOf(counts.points, Float32Array) };
   const values = data.values = listOf(counts.values), last = data.pairs.map((_, pair) => ({ follower: lastOf(1).fill(pair + 1, 0, 1), steady: lastOf(1), gap: lastOf(1),
@@ -164,7 +171,20 @@ function unpack(bytes) {
     }
     contacts.first[frame + 1] = record;
   }
-  return data;
+  return { poseOf: data.poseOf, pose: data.pose, contacts, manifolds, points, values };
+}
+
+/** Promises of what unpack() posts. It runs next to the page, which starts WebGL meanwhile, unless no worker is allowed. */
+function unpacked(text, script) {
+  const done = [], parts = [0, 1].map(i => new Promise(resolve => { done[i] = resolve; })), post = part => done.shift()(part), here = () => unpack(text, post);
+  try {
+    const worker = new Worker(URL.createObjectURL(new Blob([script])));
+    Object.assign(worker, { onmessage: event => post(event.data), onerror: here });
+    worker.postMessage(text);
+  } catch {
+    here();
+  }
+  return parts;
 }
 
 /** The kinds of the values in a form, in their order. */

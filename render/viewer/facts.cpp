@@ -71,12 +71,6 @@ void shorten(ordered_json& json) {
   }
 }
 
-ordered_json shortened(const std::string& line) {
-  ordered_json json = ordered_json::parse(line);
-  shorten(json);
-  return json;
-}
-
 }  // namespace
 
 PackedFacts::PackedFacts(const trace::Header& header)
@@ -84,7 +78,8 @@ PackedFacts::PackedFacts(const trace::Header& header)
       fine_(std::min(quantum_, 1 / kUnits) / kFiner) {
   json_ = {{"quantum", quantum_},       {"place", kCoarser * quantum_},
            {"unit", kCoarser / kUnits}, {"fine", fine_},
-           {"units", kUnits},           {"header", shortened(to_json_line(header))}};
+           {"units", kUnits},           {"header", ordered_json::parse(to_json_line(header))}};
+  shorten(json_["header"]);
   json_["fields"] = {kPoses,      kPoseBody, kPose,           kPairs,  kPair,  kSteady,
                      kLayoutSize, kLayout,   kPairSeparation, kNormal, kPoint, kSame,
                      kInteger,    kText,     kScalar,         kPlace,  kUnit,  kFields};
@@ -255,9 +250,11 @@ void PackedFacts::add(const trace::Frame& frame) {
   other.pairs = frame.pairs;
   other.deformed = frame.deformed;
   for (trace::Pair& pair : other.pairs) pair.manifolds.clear();
-  ordered_json rest = shortened(to_json_line(other));
-  if (rest.contains("deformed"))
+  ordered_json rest = ordered_json::parse(to_json_line(other));
+  if (rest.contains("deformed")) {
+    shorten(rest["deformed"]);
     json_["deformed"][std::to_string(json_["frames"].size() - 1)] = rest["deformed"];
+  }
   put(kPairs, count_of(frame.pairs), at(last_, kPairs).value);
   for (std::size_t i = 0; i < frame.pairs.size(); ++i) {
     ordered_json& stages = rest["pairs"][i];

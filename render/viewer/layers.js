@@ -4,8 +4,14 @@ const CROWD = 30;  // above so many manifolds points show their depth by size, a
 
 class Layers {
   constructor(scene, bodies) {
-    Object.assign(this, { bodies, fills: new Fills(), lines: new Lines(4), dots: new Dots(scene), deepest: Math.max(...data.totals.overlap) });
+    Object.assign(this, { bodies, fills: new Fills(), lines: new Lines(4), dots: new Dots(scene) });
     scene.add(this.fills.object, this.lines.object);
+  }
+
+  /** Once the contacts are there. */
+  measure() {
+    const { bodies } = this;
+    this.deepest = Math.max(...data.totals.overlap);
     // Lines of overlap are longer by a round factor, so that the deepest is up to a tenth of a typical body.
     const exact = this.deepest > 0 ? bodies.size / 10 / this.deepest : 1;
     this.factor = exact < 2 ? 1 : [1, 2, 5].map(step => step * 10 ** Math.floor(Math.log10(exact))).filter(step => step <= exact).pop();

@@ -1,10 +1,23 @@
 // The page: state, drawing, picking, keys, the link's hash.
 
 async function start() {
-  const [three, bytes] = await Promise.all(['three', 'facts_data'].map(id => inflate(byId(id))));
-  make('script', new TextDecoder().decode(three), document.head);
-  data = unpack(bytes);
-  data.totals = totals();
+  const [fixed, others] = unpacked(takeText('facts_data'), document.currentScript.textContent);
+  let canvas = byId('view'), context = canvas.getContext('webgl', { alpha: false, antialias: false });
+  const driver = context && context.getExtension('WEBGL_debug_renderer_info');
+  // Without a GPU smooth edges would take most of the time.
+  if (!driver || !/swiftshader|llvmpipe|software/i.test(context.getParameter(driver.UNMASKED_RENDERER_WEBGL))) {
+    canvas.replaceWith(canvas = canvas.cloneNode());
+    context = canvas.getContext('webgl', { alpha: false });
+  }
+  make('script', new TextDecoder().decode(await inflate(takeText('three'))), document.head);
+  data = await fixed;
+  const scene = new THREE.Scene(), renderer = new THREE.WebGLRenderer({ canvas, context });
+  renderer.debug.checkShaderErrors = false;
+  PIXELS.value = new THREE.Vector2(1, 1);
+  const bodies = new Bodies(scene, data.shapes.length > 12), layers = new Layers(scene, bodies);
+  renderer.compile(scene, new THREE.PerspectiveCamera());
+  Object.assign(data, await others);
+  layers.measure();
   for (const finding of data.findings) [finding.index, ...finding.places] = [finding.frame, ...finding.frames || []].map(frame => data.frames.indexOf(frame));
   // Layers of stages are only there with the stages.
   const stage = { reference_face: 'clip', side_planes: 'clip', clip_polygons: 'clip', dropped: 'clip', incident_face: 'clip', candidates: 'reduction', reduced: 'reduction' };
@@ -19,14 +32,8 @@ async function start() {
   // ---- Drawing
 
   const dark = matchMedia('(prefers-color-scheme: dark)'), theme = () => state.theme || (dark.matches ? 'dark' : 'light'), css = role => data[theme()][role];
-  // Without a GPU smooth edges would take most of the time.
-  const trial = document.createElement('canvas').getContext('webgl'), driver = trial && trial.getExtension('WEBGL_debug_renderer_info');
-  const antialias = !driver || !/swiftshader|llvmpipe|software/i.test(trial.getParameter(driver.UNMASKED_RENDERER_WEBGL));
-  const canvas = byId('view'), scene = new THREE.Scene(), renderer = new THREE.WebGLRenderer({ canvas, antialias });
-  renderer.setPixelRatio(devicePixelRatio);
-  PIXELS.value = new THREE.Vector2(1, 1);
   const orbit = new Orbit(canvas, data.header.up === 'z', () => { dirty = true; link(); });
-  const bodies = new Bodies(scene, data.shapes.length > 12), layers = new Layers(scene, bodies), facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go, css);
+  const facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go, css);
 
   function paint() {
     document.documentElement.dataset.theme = theme();
@@ -104,7 +111,7 @@ async function start() {
     if (!dirty) return;
     dirty = false;
     const [wide, high] = [canvas.clientWidth, canvas.clientHeight];
-    if (canvas.width !== Math.floor(wide * devicePixelRatio) || canvas.height !== Math.floor(high * devicePixelRatio)) renderer.setSize(wide, high, false);
+    if (canvas.width !== Math.floor(wide * devicePixelRatio) || canvas.height !== Math.floor(high * devicePixelRatio)) renderer.setSize(Math.floor(wide * devicePixelRatio), Math.floor(high * devicePixelRatio), false);
     PIXELS.value.set(wide, high);
     orbit.place(wide, high, bodies.reach);
     bodies.sort(orbit.camera.position);
@@ -175,7 +182,9 @@ async function start() {
   function jump(list, frame, selection, text, more) {
     button(text, more, make('li', undefined, list), () => {
       if (selection) state.selection = selection;
-      const pose = selection && selection.body !== undefined && poseOf(selection.body, frame);
+      // The camera turns about the body, or the smaller one of the pair.
+      const both = !selection ? [] : selection.pair === undefined ? [selection.body] : data.pairs[selection.pair].slice(0, 2);
+      const pose = both.sort((a, b) => bodies.sizes[a] - bodies.sizes[b]).map(body => poseOf(body, frame)).find(Boolean);
       if (pose) orbit.target.copy(point3(pose));
       go(frame);
     });
@@ -282,5 +291,6 @@ async function start() {
   document.documentElement.dataset.ready = 'yes';
 }
 
-start().catch(error => { byId('title').textContent = 'This page needs WebGL and a browser of 2023 or later: ' + error.message; });
+if (self.document) start().catch(error => { byId('title').textContent = 'This page needs WebGL and a browser of 2023 or later: ' + error.message; });
+else onmessage = event => unpack(event.data, postMessage);
 })();

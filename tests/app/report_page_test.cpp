@@ -98,8 +98,8 @@ TEST_F(ReportPage, LinksPagesIn3DOfBothTraces) {
   const nlohmann::json links = in_page(
       "return [...document.querySelectorAll('a[href*=\"/viewer.\"]')]"
       ".map(link => link.getAttribute('href'));");
-  EXPECT_EQ(links,
-            nlohmann::json({"group/one/viewer.actual.html", "group/one/viewer.expected.html"}));
+  EXPECT_EQ(links, nlohmann::json({"group/one/viewer.actual.html#frame=0",
+                                   "group/one/viewer.expected.html#frame=0"}));
   const auto page = [&](const std::string& which) {
     return read_text(folder_ / ("out/check/group/one/viewer." + which + ".html"));
   };

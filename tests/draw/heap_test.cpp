@@ -9,10 +9,12 @@
 #include <random>
 #include <set>
 
+#include "core/at.h"
 #include "draw/drawn_texts.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/home_region.h"
 #include "draw/scene/pair_words.h"
+#include "draw/scene/pen.h"
 #include "draw/staging.h"
 #include "draw/strip.h"
 
@@ -348,11 +350,12 @@ TEST(HeapPanels, EachRankingHasFiveRowsOrAsManyAsFit) {
   using Counts = std::map<std::string, int>;
   EXPECT_EQ(rows(panel_texts(heap, Panel::Worst)),
             (Counts{{"by overlap", 5}, {"by impulse", 5}, {"by change", 5}}));
+  EXPECT_EQ(rows(panel_texts(heap, Panel::Worst, 365)), rows(panel_texts(heap, Panel::Worst)));
   const auto fewer = rows(panel_texts(heap, Panel::Worst, 280));
   EXPECT_EQ(fewer.at("by overlap"), 5);
   EXPECT_GE(fewer.at("by impulse"), fewer.at("by change"));
   EXPECT_GE(fewer.at("by change"), 1);
-  const auto one = panel_texts(heap, Panel::Worst, 220, "1 ranking");
+  const auto one = panel_texts(heap, Panel::Worst, 205, "1 ranking");
   EXPECT_EQ(rows(one), (Counts{{"by overlap", 5}, {"by impulse", 1}}));
   EXPECT_THAT(one, Contains("and 1 more ranking"));
   heap.frames.erase(heap.frames.begin());
@@ -488,6 +491,44 @@ TEST(HeapPictures, TheLabelOfTheWorstPairCoversNoBody) {
     return;
   }
   ADD_FAILURE() << "no pair is named";
+}
+
+/// The picture's text itself, also where an edge of the floor is above the bodies.
+TEST(HeapPictures, TheTextOfTheWorstPairIsOverNoBody) {
+  int found = 0;
+  for (const double floor : {3.0, 3.5, 4.0, 5.0}) {
+    for (const int side : {6, 7, 8}) {
+      const Heap heap(side, floor);
+      const Staging staging = heap.staged();
+      for (const Primitive& primitive : illustrate(staging, heap.frames[0]).primitives) {
+        const Text* text = std::get_if<Text>(&primitive);
+        if (text == nullptr || text->text.find(": floor and crate") == std::string::npos) continue;
+        ++found;
+        const float width = text_width(text->text, text->size, text->weight);
+        for (const auto& [name, pose] : heap.frames[0].poses) {
+          if (name == "floor") continue;
+          for (const std::vector<int>& face : heap.header.shapes[1].faces) {
+            std::vector<Point2> corners;
+            for (const int corner : face)
+              corners.push_back(*staging.camera.project(
+                  pose.transform(contactscope::at(heap.header.shapes[1].vertices, corner))));
+            for (int i = 0; i <= 60; ++i) {
+              const Point2 letter{text->at.x + width * static_cast<float>(i) / 60,
+                                  text->at.y - 0.35f * text->size};
+              int left = 0;
+              for (std::size_t k = 0; k < 4; ++k) {
+                const Point2 along = corners[(k + 1) % 4] - corners[k], to = letter - corners[k];
+                left += along.x * to.y - along.y * to.x > 0;
+              }
+              EXPECT_TRUE(left % 4 != 0)
+                  << text->text << " over " << name << ", floor of " << floor << " m, " << side;
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(found, 12);
 }
 
 TEST(HeapPanels, OverlapsCountEachPointOnce) {

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <utility>
 
+#include "core/at.h"
+#include "core/convex_polygon.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {
@@ -273,6 +276,71 @@ TEST(RoundBody, TheNearerOfTwoSpheresIsPaintedLast) {
   const std::vector<Surface> ordered = depth_ordered(surfaces, camera, bodies);
   ASSERT_EQ(ordered.size(), surfaces.size());
   EXPECT_TRUE(std::ranges::is_sorted(ordered, std::greater{}, &Surface::body));
+}
+
+// Distance along a ray (unit direction) to a sphere that is wider by a share of its radius.
+std::optional<double> hit(const RoundBody& ball, double wider, const Vec3d& eye,
+                          const Vec3d& direction) {
+  const double along = (ball.core[0] - eye).dot(direction);
+  const double radius = (1 + wider) * ball.radius;
+  const double half = radius * radius - (ball.core[0] - eye - along * direction).squaredNorm();
+  return half < 0 ? std::nullopt : std::optional(along - std::sqrt(half));
+}
+
+TEST(RoundBody, SlowTheNearestOfManyBallsIsPaintedLastInEveryPixel) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1.2, 1.2), radius(0.1, 0.5);
+  std::uniform_real_distribution<double> column(250, 550), row(150, 450);
+  int compared = 0, overlapping = 0;
+  for (int round = 0; round < 12; ++round) {
+    const Camera camera = looking_from({1, 2, 6});
+    std::vector<RoundBody> balls;
+    for (int i = 0; i < 24; ++i)
+      balls.push_back({{{any(random), any(random), any(random)}}, radius(random)});
+    std::vector<Surface> surfaces;
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      for (RoundBody::Facet& facet : balls[i].front(camera))
+        surfaces.push_back({std::move(facet.polygon), {}, static_cast<int>(i)});
+    std::vector<std::pair<std::vector<Point2>, int>> painted;
+    for (const Surface& surface : depth_ordered(surfaces, camera, balls))
+      painted.emplace_back(project_polygon(camera, surface.polygon), surface.body);
+    for (int ray = 0; ray < 300; ++ray) {
+      const Vec2d pixel(column(random), row(random));
+      const double from_middle = 0.5 * kView.height / std::tan(0.25);
+      const Vec3d direction = (from_middle * camera.right().cross(camera.up()) * -1 +
+                               (pixel.x() - 400) * camera.right() - (pixel.y() - 300) * camera.up())
+                                  .normalized();
+      // Rays near an outline, and near where two balls meet, depend on the chords of facets.
+      std::vector<std::pair<double, int>> met;
+      bool clear = true;
+      for (std::size_t i = 0; i < balls.size(); ++i) {
+        const auto inner = hit(balls[i], -0.05, camera.eye(), direction);
+        clear =
+            clear && inner.has_value() == hit(balls[i], 0.05, camera.eye(), direction).has_value();
+        if (const auto t = hit(balls[i], 0, camera.eye(), direction))
+          met.emplace_back(*t, static_cast<int>(i));
+      }
+      std::ranges::sort(met);
+      if (!clear || (met.size() > 1 && met[1].first - met[0].first < 0.04)) continue;
+      int last = -1;
+      for (const auto& [seen, body] : painted) {
+        int left = 0, right = 0;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+          const Vec2d p = flat(seen[i]), q = flat(seen[(i + 1) % seen.size()]);
+          (turn(p, q, pixel) > 0 ? left : right) += 1;
+        }
+        if (!seen.empty() && (left == 0 || right == 0)) last = body;
+      }
+      EXPECT_EQ(last, met.empty() ? -1 : met[0].second) << round << ": " << pixel.transpose();
+      compared += met.size() > 1;
+      if (met.size() > 1)
+        overlapping +=
+            (at(balls, met[0].second).core[0] - at(balls, met[1].second).core[0]).norm() <
+            at(balls, met[0].second).radius + at(balls, met[1].second).radius;
+    }
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_GT(overlapping, 100);
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string>
 
 namespace contactscope {
 namespace {
@@ -47,6 +49,21 @@ TEST(Words, NamesAreReplacedNextToRolesAndAnswers) {
   EXPECT_EQ(words.of("B: old crate"), "B: Kiste");
   EXPECT_EQ(words.of("old crate: yes, falsely"), "Kiste: yes, falsely");
   EXPECT_EQ(words.of("old crates"), "old crates");
+}
+
+TEST(Words, NumbersOfCopiesAreSeparatedAndThoseOfPartsAreNot) {
+  for (const auto& [name, words] :
+       std::map<std::string, std::string>{{"small_crate3", "small crate 3"},
+                                          {"box_12", "box 12"},
+                                          {"box3d", "box3d"},
+                                          {"car/5", "car/5"},
+                                          {"doll_2/1", "doll 2/1"},
+                                          {"Kegel\xC3\xA4"
+                                           "7",
+                                           "Kegel\xC3\xA4 7"},
+                                          {"crate.001", "crate.001"},
+                                          {"7", "7"}})
+    EXPECT_EQ(name_in_words(name), words);
 }
 
 TEST(Words, AnEmptyWordHidesTheText) {

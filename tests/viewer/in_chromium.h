@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "draw/crate_on_slab.h"
 #include "support/temporary_folder.h"
@@ -59,7 +60,7 @@ inline std::string page_of(const CrateOnSlab& scene) {
 // Half of the steps that README.md names, for a smallest shape of 1.73 m.
 inline constexpr double kQuantum = 1.0 / 16384, kPlaceError = 2 * kQuantum,
                         kUnitError = 2.0 / 16384;
-inline double fine(double value) { return std::max(kQuantum / 512, std::abs(value) / 4096) + 1e-9; }
+inline double fine(double value) { return std::max(kQuantum / 512, std::abs(value) / 4096); }
 
 /// The page in headless Chromium.
 class InChromium : public testing::Test {
@@ -75,8 +76,13 @@ class InChromium : public testing::Test {
   }
 
   /// The result of a script that runs in the page when it is drawn.
-  json result(const std::string& script, const CrateOnSlab& scene = rising()) const {
-    const std::string page = folder_.write("page.html", page_of(scene));
+  /// `workers`: whether the page may start any.
+  json result(const std::string& script, const CrateOnSlab& scene = rising(),
+              bool workers = true) const {
+    std::string html = page_of(scene);
+    constexpr std::string_view kAllowed = "worker-src blob:";
+    if (!workers) html.replace(html.find(kAllowed), kAllowed.size(), "worker-src 'none'");
+    const std::string page = folder_.write("page.html", html);
     const std::string command =
         "timeout 120 node '" CONTACTSCOPE_VIEWER_TESTS "/in_chromium.mjs' " + chromium_ +
         " 'file://" + page + "#frame=6&find=points+%3E+1' '" + (folder_ / "profile") + "' < '" +

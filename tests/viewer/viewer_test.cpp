@@ -122,10 +122,12 @@ TEST_F(InChromium, SearchStaysAtAFrameThatIsFoundAndGoesOnIfRepeated) {
 
 TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
   const json page = result(R"(
-    const { state, data } = contactscope, click = button => {
+    const { state, data, orbit } = contactscope, click = button => {
       state.selection = null;
+      orbit.target.set(9, 9, 9);
       button.click();
-      return [button.textContent, state.selection, data.frames[state.frame]];
+      const pose = data.poseOf[2 * state.frame + 1], center = data.pose.subarray(7 * pose, 7 * pose + 3);
+      return [button.textContent, state.selection, data.frames[state.frame], Math.hypot(...orbit.target.toArray().map((x, k) => x - center[k]))];
     };
     return { rows: [...document.querySelectorAll('#lint button')].map(click), places: data.findings.map(finding => finding.places) };)");
   ASSERT_FALSE(page.contains("error")) << page["error"];
@@ -136,6 +138,7 @@ TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
                 HasSubstr("frame " + std::to_string(row[2].get<int>()) + ": "));
     EXPECT_THAT(row[0].get<std::string>(), HasSubstr("crate <b>&amp;"));
     EXPECT_TRUE(row[1].is_object()) << row[0];
+    EXPECT_LT(row[3].get<double>(), 1e-9) << "the crate is in the middle";
     EXPECT_THAT(page["places"][i], testing::Contains(row[2].get<int>() / 3)) << row[0];
   }
 }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr float kBetweenRankings = 6;  // pixels at 720 lines
 constexpr double kNumberColumn = 18;
+constexpr float kRowHeight = 0.9f;  // of a line of text: rows are numbers on bars, read across
 
 constexpr std::size_t kRankedRows = 5;
 constexpr std::size_t kFewRankedRows = 3;
@@ -82,9 +83,12 @@ class WorstPanel : public PanelContent {
     return shown;
   }
 
+  /// Whole pixels.
+  float row_height() const { return std::floor(kRowHeight * Sheet::line_height(scale_)); }
   /// Height of a ranking, pixels.
   float height_of(std::size_t rows) const {
-    return static_cast<float>(rows + 1) * Sheet::line_height(scale_) + kBetweenRankings * scale_;
+    return Sheet::line_height(scale_) + static_cast<float>(rows) * row_height() +
+           kBetweenRankings * scale_;
   }
   float height_of_all(std::size_t rows_of_others) const {
     return height_of(most_) + static_cast<float>(rankings().size() - 1) * height_of(rows_of_others);
@@ -140,14 +144,14 @@ class WorstPanel : public PanelContent {
     const bool is_numbered = ranking.by == Rank::Overlap;
     for (std::size_t i = 0; i < std::min(rows, ranked.size()); ++i) {
       const Rect row = {sheet.rest().x, sheet.rest().y, sheet.rest().width,
-                        static_cast<double>(sheet.line_height())};
+                        static_cast<double>(row_height())};
       const double share = ranked[i].value / ranked.front().value;
       pen.fill({row.x, row.y, share * row.width, row.height - pen.px(2)},
                with_alpha(ranking.color, 0.16f));
       const bool is_first = is_numbered && i == 0;
       const Weight weight = is_first ? Weight::Bold : Weight::Regular;
       const Color ink = is_first ? kContact : kText;
-      const double baseline = row.y + 0.78 * row.height;
+      const double baseline = row.y + 0.77 * row.height;
       const std::string value = spelled(ranking.by, frame, ranked[i]);
       pen.text(Said{value}, pixel(row.right() - pen.px(4), baseline), Align::Right, ink, weight);
       // The picture has the same numbers.

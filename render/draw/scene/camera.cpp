@@ -177,11 +177,14 @@ std::vector<Point2> clip_polygon(const Rect& rect, std::vector<Point2> polygon) 
 }
 
 std::optional<Segment2> clip_segment(const Rect& rect, const Point2& from, const Point2& to) {
+  // Most of many segments are off the rectangle.
+  if (std::max(from.x, to.x) < rect.x || std::min(from.x, to.x) > rect.right() ||
+      std::max(from.y, to.y) < rect.y || std::min(from.y, to.y) > rect.bottom())
+    return std::nullopt;
   double first = 0, last = 1;
   const std::array<double, 4> at_from = distances(rect, from), at_to = distances(rect, to);
   for (std::size_t border = 0; border < 4; ++border) {
     const double d0 = at_from[border], d1 = at_to[border];
-    if (d0 < 0 && d1 < 0) return std::nullopt;
     if (d0 < 0) first = std::max(first, d0 / (d0 - d1));
     if (d1 < 0) last = std::min(last, d0 / (d0 - d1));
   }

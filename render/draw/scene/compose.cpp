@@ -24,17 +24,6 @@ constexpr float kMinPiece = 4;  // pixels of a curve: shorter pieces would be mo
 constexpr float kFaintGround = 0.2f;  // factor of the opacity
 constexpr double kMinSeen = 0.2;      // share of the area; with less visible, it shows through
 
-/// Whether a box is inside a convex polygon with the winding of convex_polygon().
-bool lies_on(const std::vector<Vec2d>& polygon, const Rect& box) {
-  if (polygon.size() < 3) return false;
-  for (const Vec2d& corner : {Vec2d(box.x, box.y), Vec2d(box.right(), box.y),
-                              Vec2d(box.x, box.bottom()), Vec2d(box.right(), box.bottom())}) {
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-      if (turn(polygon[i], polygon[(i + 1) % polygon.size()], corner) < 0) return false;
-  }
-  return true;
-}
-
 struct Composer {
   const Sketch& sketch;
   const Camera& camera;
@@ -409,7 +398,8 @@ struct Composer {
                       label.direction.has_value(), label.leader});
     if (!place) return;
     place->left_baseline.x += room;
-    const Rect box{place->left_baseline.x, place->left_baseline.y - up, width, up};
+    const Vec2d corner = flat(place->left_baseline);
+    const Eigen::AlignedBox2d box(corner - Vec2d(0, up), corner + Vec2d(width, 0));
     if ((place->needs_leader || label.leader) && !lies_on(label.ground, box))
       draw_leader(*at, place->leader_end, label.foot);
     draw_badge(label.badge, place->left_baseline + Point2{0.5f * width, -0.5f * up}, width, up,

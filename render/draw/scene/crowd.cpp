@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "draw/scene/ghost.h"
+#include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
@@ -26,9 +27,10 @@ bool is_much_larger(const Scene& scene, const PlacedShape& shape) {
   return !(shape.mesh->radius < kMuchLarger * scene.meshes.smallest_radius());
 }
 
-/// Moves a label above all shapes, if it would cover bodies wherever it is next to its place.
-void put_above_bodies(const Scene& scene, Label& label) {
-  constexpr double kGap = 12;  // pixels
+/// Moves a label off all bodies, if it would cover some wherever it is next to its place: above them,
+/// or to the nearest place in a diagonal direction if an edge of the ground is above them.
+void put_off_bodies(const Scene& scene, Label& label) {
+  constexpr double kGap = 12, kStep = 4;  // pixels
   const std::optional<Point2> from = scene.camera.project(label.at);
   if (!from) return;
   const double pixel = scene.scales.pixel;
@@ -37,25 +39,46 @@ void put_above_bodies(const Scene& scene, Label& label) {
       0.5 * text_width(label.text, static_cast<float>(pixel) * label.size, FontWeight::Bold),
       0.6 * pixel * label.size);
   const Rect& view = scene.camera.viewport();
-  std::vector<Outline> outlines;
+  std::vector<Outline> outlines, large;
   double top = at.y();
   for (const PlacedShape& shape : scene.shapes) {
+    if (shape.mesh->patch)
+      large.push_back(outline_around(scene.camera, patch_corners(*shape.mesh->patch, shape.pose)));
     if (shape.traced().half_space) continue;
     const Outline outline = outline_around(scene.camera, extent_points(shape));
     Eigen::AlignedBox2d box;
     for (const Vec2d& corner : outline) box.extend(corner);
     if (!box.isEmpty() && std::abs(box.center().x() - at.x()) < 0.5 * box.sizes().x() + half.x())
       top = std::min(top, box.min().y());
-    if (!box.isEmpty() && !is_much_larger(scene, shape)) outlines.push_back(outline);
+    if (!box.isEmpty()) (is_much_larger(scene, shape) ? large : outlines).push_back(outline);
   }
-  for (const Vec2d& out : {Vec2d(1, 0), Vec2d(-1, 0)}) {  // above is the arrow
-    const Vec2d center = at + label.clearance * pixel * out + out.cwiseProduct(half);
-    const Eigen::AlignedBox2d box(center - half, center + half);
-    if (box.min().x() > view.x && box.max().x() < view.right() &&
-        std::ranges::none_of(outlines, [&](auto& outline) { return overlap(outline, box); }))
-      return;
+  const auto is_free = [&](const Vec2d& center, const Vec2d& gap) {
+    const Eigen::AlignedBox2d box(center - half - gap, center + half + gap);
+    const auto crosses = [&](const Outline& outline) {
+      return overlap(outline, box) && !lies_on(outline, box);
+    };
+    return box.min().x() > view.x && box.max().x() < view.right() && box.min().y() > view.y &&
+           box.max().y() < view.bottom() &&
+           std::ranges::none_of(outlines, [&](auto& outline) { return overlap(outline, box); }) &&
+           (gap.isZero() || std::ranges::none_of(large, crosses));
+  };
+  for (const Vec2d& out : {Vec2d(1, 0), Vec2d(-1, 0)})  // above is the arrow
+    if (is_free(at + label.clearance * pixel * out + out.cwiseProduct(half), Vec2d::Zero())) return;
+  const Vec2d gap = Vec2d::Constant(kGap * pixel), above(at.x(), top - gap.y() - half.y());
+  if (!is_free(above, 0.9 * gap)) {
+    for (double ring = label.clearance; ring * pixel < view.height; ring += kStep) {
+      for (const Vec2d& diagonal : {Vec2d(-1, -1), Vec2d(1, -1), Vec2d(-1, 1), Vec2d(1, 1)}) {
+        if (!is_free(LabelPlacer::middle_of(*from, diagonal.normalized(), 2 * half.x(),
+                                            2 * half.y(), ring * pixel),
+                     gap))
+          continue;
+        label.clearance = ring;
+        label.direction = diagonal.x() * scene.camera.right() - diagonal.y() * scene.camera.up();
+        return;
+      }
+    }
   }
-  if (top - kGap * pixel - 2 * half.y() > view.y) label.clearance = (at.y() - top) / pixel + kGap;
+  if (above.y() - half.y() > view.y) label.clearance = (at.y() - top) / pixel + kGap;
 }
 
 void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -78,7 +101,7 @@ void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                    spell_separation(at->point->separation, scene.noise(pair), scene.scales.length) +
                        ": " + pair_name(pair),
                    kContact, 17, 34, Vec3d(scene.camera.up()));
-  put_above_bodies(scene, label);
+  put_off_bodies(scene, label);
   label.leader = true;
 }
 

@@ -1,6 +1,7 @@
 #include "draw/scene/visibility.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <functional>
 #include <span>
@@ -25,10 +26,18 @@ struct Item {
   bool parts = false;
 };
 
-bool is_small(const Item* item) { return item->surface.body == kSmallSurface; }
+/// Items are large, so lists hold pointers to them, and what most comparisons need.
+struct Listed {
+  Item* item;
+  Vec3d middle;  // of a ball around the polygon
+  double reach;  // its radius
+  double area;   // of the item
 
-/// Items are large, so lists hold pointers to them.
-using Items = std::vector<Item*>;
+  Item* operator->() const { return item; }
+};
+using Items = std::vector<Listed>;
+
+bool is_small(const Listed& item) { return item->surface.body == kSmallSurface; }
 
 /// Appends to `result` in painting order, farthest first.
 struct Painter {
@@ -36,7 +45,8 @@ struct Painter {
   const std::vector<RoundBody>& bodies;
   double tolerance;
   std::vector<Surface>& result;
-  std::deque<Item> pieces{};  // cut pieces, at stable addresses
+  std::deque<Item> pieces{};                 // cut pieces, at stable addresses
+  std::vector<std::pair<int, int>> sides{};  // of the current region: nearer and farther body
 
   // Small surfaces outside of the box around all others are sorted separately.
   void paint_separately(Items items, std::span<const Plane<double>> box) {
@@ -61,12 +71,11 @@ struct Painter {
       put(items);
       return;
     }
-    Item* const largest =
-        *std::ranges::max_element(items, {}, [](const Item* item) { return item->area; });
+    const Listed largest = *std::ranges::max_element(items, {}, &Listed::area);
     if (largest->surface.body != kFlatSurface) {
       paint_small(items);
       std::erase_if(items, is_small);
-      paint_bodies(std::move(items), 0, 1, std::vector<int>(bodies.size()));
+      paint_bodies(std::move(items), 0, 1);
       return;
     }
     const Plane<double> plane = largest->plane;
@@ -79,14 +88,14 @@ struct Painter {
   }
 
   void put(const Items& items) {
-    for (Item* item : items) result.push_back(std::move(item->surface));
+    for (const Listed& item : items) result.push_back(std::move(item->surface));
   }
 
   // Sorts small surfaces by their middles.
   void paint_small(const Items& items) {
-    std::vector<std::pair<double, Item*>> sorted;
+    std::vector<std::pair<double, Listed>> sorted;
     sorted.reserve(items.size());
-    for (Item* item : items) {
+    for (const Listed& item : items) {
       if (!is_small(item)) continue;
       Vec3d sum = Vec3d::Zero();
       for (const Vec3d& p : item->surface.polygon) sum += camera.to_camera(p);
@@ -98,29 +107,40 @@ struct Painter {
     for (const auto& [distance, item] : sorted) result.push_back(std::move(item->surface));
   }
 
-  // Splits the facets of round bodies by the planes of the pairs from (first, second) on. `won`
-  // counts for each body the pairs in which this region is on its side.
-  void paint_bodies(Items items, std::size_t first, std::size_t second, std::vector<int> won) {
-    std::vector<bool> present(bodies.size());
-    for (const Item* item : items) present[static_cast<std::size_t>(item->surface.body)] = true;
-    for (; first < bodies.size(); ++first, second = first + 1) {
-      for (; present[first] && second < bodies.size(); ++second) {
-        if (!present[second]) continue;
-        const Plane<double> plane = power_plane(bodies[first], bodies[second]);
-        auto [front, back, on] = part(plane, items);
-        back.insert(back.end(), on.begin(), on.end());
-        std::vector<int> won_front = won;
-        ++won_front[second];
-        ++won[first];
-        const bool eye_in_front = in_front(plane);
-        if (!eye_in_front) paint_bodies(std::move(front), first, second + 1, won_front);
-        paint_bodies(std::move(back), first, second + 1, won);
-        if (eye_in_front) paint_bodies(std::move(front), first, second + 1, won_front);
-        return;
-      }
+  // Splits the facets of round bodies by the planes of the pairs from (first, second) on.
+  void paint_bodies(Items items, int first, int second) {
+    std::vector<int> present;
+    for (const Listed& item : items)
+      if (present.empty() || present.back() != item->surface.body)
+        present.push_back(item->surface.body);
+    std::ranges::sort(present);
+    present.erase(std::unique(present.begin(), present.end()), present.end());
+    for (auto one = std::ranges::lower_bound(present, first); one != present.end(); ++one) {
+      const auto other =
+          std::lower_bound(one + 1, present.end(), *one == first ? second : *one + 1);
+      if (other == present.end()) continue;
+      const Plane<double> plane = power_plane(at(bodies, *one), at(bodies, *other));
+      auto [front, back, on] = part(plane, items);
+      back.insert(back.end(), on.begin(), on.end());
+      const auto paint_side = [&](Items& side, int nearer, int farther) {
+        sides.emplace_back(nearer, farther);
+        paint_bodies(std::move(side), *one, *other + 1);
+        sides.pop_back();
+      };
+      const bool eye_in_front = in_front(plane);
+      if (!eye_in_front) paint_side(front, *other, *one);
+      paint_side(back, *one, *other);
+      if (eye_in_front) paint_side(front, *other, *one);
+      return;
     }
-    std::ranges::stable_sort(items, {},
-                             [&](const Item* item) { return at(won, item->surface.body); });
+    // Bodies that are not in the region were not compared with each other, so they do not count.
+    if (present.size() > 1) {
+      std::vector<int> before(bodies.size());
+      for (const auto& [nearer, farther] : sides)
+        at(before, nearer) += std::ranges::binary_search(present, farther);
+      std::ranges::stable_sort(items, {},
+                               [&](const Listed& item) { return at(before, item->surface.body); });
+    }
     put(items);
   }
 
@@ -131,7 +151,12 @@ struct Painter {
 
   Parts part(const Plane<double>& plane, const Items& items) {
     Parts parts;
-    for (Item* item : items) {
+    for (const Listed& item : items) {
+      const double middle = plane.distance(item.middle);
+      if (std::abs(middle) > item.reach + 2 * tolerance) {
+        (middle > 0 ? parts.front : parts.back).push_back(item);
+        continue;
+      }
       bool front = false, back = false;
       for (const Vec3d& p : item->surface.polygon) {
         if (item->parts) break;
@@ -151,9 +176,10 @@ struct Painter {
             },
             tolerance);
         if (polygon.size() < 3) continue;
-        Item& piece = pieces.emplace_back(*item);
+        Item& piece = pieces.emplace_back(*item.item);
         piece.surface.polygon = std::move(polygon);
-        (sign > 0 ? parts.front : parts.back).push_back(&piece);
+        (sign > 0 ? parts.front : parts.back)
+            .push_back({&piece, item.middle, item.reach, item.area});
       }
     }
     return parts;
@@ -165,7 +191,8 @@ struct Painter {
 std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& camera,
                                    const std::vector<RoundBody>& bodies) {
   std::vector<Item> items;
-  items.reserve(surfaces.size());
+  items.reserve(surfaces.size());  // lists hold pointers to them
+  Items all;
   Eigen::AlignedBox3d whole, middle;  // around all surfaces, and without small ones
   for (Surface& surface : surfaces) {
     if (surface.polygon.size() < 3) continue;
@@ -181,6 +208,7 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
       item.plane = {unit, unit.dot(mean_of(surface.polygon))};
     }
     item.surface = std::move(surface);
+    all.push_back({&item, own.center(), 0.5 * own.diagonal().norm(), item.area});
   }
   std::vector<Plane<double>> sides;
   for (int axis = 0; axis < 3 && !middle.isEmpty(); ++axis) {
@@ -190,9 +218,6 @@ std::vector<Surface> depth_ordered(std::vector<Surface> surfaces, const Camera& 
   std::vector<Surface> result;
   result.reserve(items.size());
   const double scale = items.empty() ? 0 : whole.sizes().maxCoeff();
-  Items all;
-  all.reserve(items.size());
-  for (Item& item : items) all.push_back(&item);
   Painter{camera, bodies, kOnPlane * scale, result}.paint_separately(std::move(all), sides);
   return result;
 }

@@ -52,6 +52,14 @@ bool LabelPlacer::misleads(const Point2& anchor, const Point2& end) const {
   return std::ranges::any_of(texts_, is_crossed) || std::ranges::any_of(blocked_, runs_along);
 }
 
+Eigen::Vector2d LabelPlacer::middle_of(const Point2& anchor, const Eigen::Vector2d& direction,
+                                       double width, double height, double ring) {
+  const double ux = direction.x(), aside = std::abs(ux);
+  return {anchor.x + ux * (ring + 0.5 * width * aside) +
+              (aside < 0.35 ? 0.0 : std::copysign(0.25 * width * (1 - aside), ux)),
+          anchor.y + direction.y() * (ring + 0.5 * height)};
+}
+
 std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float width,
                                                      float ascent, float descent,
                                                      const Wish& wish) {
@@ -79,13 +87,9 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
       const int step = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2);
       if (uncrossed && outwards && std::abs(step) > kDirections / 4) break;
       const double angle = wanted + step * 2 * std::numbers::pi / kDirections;
-      const double ux = std::cos(angle);
-      const double uy = std::sin(angle);
-      // The box touches the ring with the side or corner that faces the anchor.
-      const double cx =
-          anchor.x + ux * (reach + 0.5 * width * std::abs(ux)) +
-          (std::abs(ux) < 0.35 ? 0.0 : std::copysign(0.25 * width * (1 - std::abs(ux)), ux));
-      const double cy = anchor.y + uy * (reach + 0.5 * height);
+      const Eigen::Vector2d middle = middle_of(anchor, {std::cos(angle), std::sin(angle)},
+                                               double{width}, double{height}, reach);
+      const double cx = middle.x(), cy = middle.y();
       const Rect box{cx - 0.5 * width - kPadding, cy - 0.5 * height - kPadding,
                      width + 2 * kPadding, height + 2 * kPadding};
       if (!is_free(box) || (uncrossed && is_crossed(box))) continue;

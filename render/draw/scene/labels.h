@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,11 @@ class LabelPlacer {
     bool outwards = false;    // rather across a line than opposite to `direction`
     bool has_leader = false;  // draws a leader even if near
   };
+
+  /// Middle of a text's box whose side or corner that faces the anchor is on a ring around it.
+  /// `direction`: unit, y down.
+  static Eigen::Vector2d middle_of(const Point2& anchor, const Eigen::Vector2d& direction,
+                                   double width, double height, double ring);
 
   /// `ascent`, `descent`, `width`: size of the text.
   std::optional<Place> place(const Point2& anchor, float width, float ascent, float descent,

@@ -161,6 +161,16 @@ bool overlap(const Outline& polygon, const Eigen::AlignedBox2d& box) {
   return true;
 }
 
+bool lies_on(const Outline& polygon, const Eigen::AlignedBox2d& box) {
+  if (polygon.size() < 3) return false;
+  for (int corner = 0; corner < 4; ++corner) {
+    const Vec2d at = box.corner(static_cast<Eigen::AlignedBox2d::CornerType>(corner));
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      if (turn(polygon[i], polygon[(i + 1) % polygon.size()], at) < 0) return false;
+  }
+  return true;
+}
+
 std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole) {
   constexpr double kMinArea = 0.25;  // square pixels
   std::vector<Outline> result;

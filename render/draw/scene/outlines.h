@@ -22,6 +22,9 @@ Outline outline_around(const Camera& camera, std::span<const Vec3d> points);
 /// Whether a convex polygon and a box share a point.
 bool overlap(const Outline& polygon, const Eigen::AlignedBox2d& box);
 
+/// Whether a box is inside a convex polygon.
+bool lies_on(const Outline& polygon, const Eigen::AlignedBox2d& box);
+
 /// The parts of the polygons outside of a convex one, in pieces of at least a quarter of a pixel.
 std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole);
 

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
@@ -24,6 +25,19 @@ constexpr double kBorder = 1.2e-3, kSmallBorder = 0.011;
 constexpr int kLongitudes = 48, kSmallLongitudes = 16;
 constexpr double kLatitudeStep = 7.5 * kPi / 180, kSmallLatitudeStep = 24 * kPi / 180;
 
+/// Cosines and sines of the steps around the outline of a small body.
+const std::vector<Vec2d>& small_circle() {
+  static const std::vector<Vec2d> circle = [] {
+    std::vector<Vec2d> made;
+    for (int i = 0; i < kSmallOutlineSteps; ++i) {
+      const double angle = 2 * kPi * i / kSmallOutlineSteps;
+      made.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    return made;
+  }();
+  return circle;
+}
+
 // The unit normals with n . towards >= least.
 struct NormalCap {
   Vec3d towards;  // unit
@@ -34,12 +48,9 @@ struct NormalCap {
   std::vector<Vec3d> border() const {
     const Vec3d u = any_perpendicular(towards), v = towards.cross(u);
     const double across = std::sqrt(std::max(0.0, 1 - least * least));
-    std::vector<Vec3d> circle;
-    for (int i = 0; i < kSmallOutlineSteps; ++i) {
-      const double angle = 2 * kPi * i / kSmallOutlineSteps;
-      circle.push_back(least * towards + across * (std::cos(angle) * u + std::sin(angle) * v));
-    }
-    return circle;
+    return mapped(small_circle(), [&](const Vec2d& at) -> Vec3d {
+      return least * towards + across * (at.x() * u + at.y() * v);
+    });
   }
 };
 
@@ -319,7 +330,8 @@ Plane<double> power_plane(const RoundBody& a, const RoundBody& b) {
   Vec3d on_b = nearest_in(b.core, on_a);
   for (int i = 0; i < 60; ++i) {
     on_a = nearest_in(a.core, on_b);
-    on_b = nearest_in(b.core, on_a);
+    const Vec3d last = std::exchange(on_b, nearest_in(b.core, on_a));
+    if (on_b == last) break;
   }
   const double distance = (on_b - on_a).norm();
   Vec3d normal = (on_b - on_a) / distance;

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "app/cli/narrow.h"
 #include "core/at.h"
 #include "draw/panels/panel.h"
 #include "image/encoding.h"
+#include "image/whole_file.h"
 #include "scenario/words_file.h"
 #include "view/title.h"
 
@@ -116,9 +115,12 @@ std::string hash_of_file(const std::string& path) {
   constexpr std::uintmax_t kMax = 64u << 20;
   std::error_code unknown;
   if (!fs::is_regular_file(path, unknown) || fs::file_size(path, unknown) > kMax) return "";
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  return file ? sha256(bytes) : "";
+  try {
+    const std::vector<std::uint8_t> bytes = read_whole_file(path);
+    return sha256({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  } catch (const std::exception&) {
+    return "";
+  }
 }
 
 /// Prevents a path with a leading dash from being taken for an option.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -117,13 +119,16 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
     return;
   }
   const std::shared_ptr<const Words> words = words_of(input, options);
-  const PictureOrigin origin = origin_of(input, sequence.header, options);
+  // Hashing the file of a trace takes a while.
+  auto hashed = std::async(std::launch::async, origin_of, std::cref(input),
+                           std::cref(sequence.header), std::cref(options));
   if (options.strip) {
-    draw_strips(input, sequence, origin, words, options, renderer, sinks);
+    draw_strips(input, sequence, hashed.get(), words, options, renderer, sinks);
     progress.advance(scenario.name);
     return;
   }
   const std::optional<draw::FittedFrames> fitted = fitted_frames(sequence, input.frames);
+  const PictureOrigin origin = hashed.get();
   for (const View& view : views) {
     const FigureCanvas canvas =
         canvas_of(sequence.header, sequence.frames, view, options, Size{}, words);
