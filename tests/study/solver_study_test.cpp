@@ -110,16 +110,17 @@ const std::vector<trace::Study>& short_study() {
 }
 
 // A box on one point of each contact swings about it; on two it turns about their line.
-TEST(SolverStudy, AStackFallsOnTwoPointsAndStandsOnFour) {
+TEST(SolverStudy, AStackFallsOnOnePointRocksOnTwoAndStandsOnFour) {
   std::mt19937_64 engine(3);
   const StackPlan plan = stack_plan(engine, 6, 1);
   SolverSettings settings;
   settings.position_correction = PositionCorrection::Soft;
   settings.iterations = 2;
   settings.substeps = 4;
-  for (const int few : {1, 2})
-    EXPECT_EQ(run_stack(plan, settings, kStackFrames, few).fault, StackFault::Fallen) << few;
-  EXPECT_EQ(run_stack(plan, settings, kStackFrames, 4).fault, StackFault::None);
+  EXPECT_EQ(run_stack(plan, settings, kStackFrames, 1).fault, StackFault::Fallen);
+  const StackOutcome four = run_stack(plan, settings, kStackFrames, 4);
+  EXPECT_EQ(four.fault, StackFault::None);
+  EXPECT_GT(run_stack(plan, settings, kStackFrames, 2).jitter, 10 * four.jitter);
 }
 
 TEST(SolverStudy, HasCurvesInTwoPanelsAndMaps) {
