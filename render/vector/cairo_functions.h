@@ -3,7 +3,7 @@
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 
-#include "vector/shared_library.h"
+#include "vector/font_subset.h"
 
 namespace contactscope::vector {
 

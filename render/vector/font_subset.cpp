@@ -1,12 +1,12 @@
 #include "vector/font_subset.h"
 
+#include <dlfcn.h>
 #include <hb-subset.h>
 
 #include <memory>
 #include <span>
 
 #include "image/encoding.h"
-#include "vector/shared_library.h"
 
 namespace contactscope::vector {
 namespace {
@@ -43,6 +43,24 @@ std::string family(std::size_t number) {
 }
 
 }  // namespace
+
+SharedLibrary::SharedLibrary(const std::string& name, const std::string& package,
+                             const std::string& purpose)
+    : name_(name), package_(package), handle_(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+  if (handle_ == nullptr) {
+    throw MissingLibrary(purpose + " needs " + name +
+                         ", which is not installed; install the Debian package " + package);
+  }
+}
+
+void* SharedLibrary::address(const char* name) const {
+  void* found = dlsym(handle_, name);
+  if (found == nullptr) {
+    throw MissingLibrary(name_ + " has no function " + name + ": it is older than in the package " +
+                         package_ + " of Debian 12");
+  }
+  return found;
+}
 
 std::string families(const UsedCharacters& used) {
   std::set<std::size_t> numbers = {0};

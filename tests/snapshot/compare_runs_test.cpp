@@ -70,7 +70,7 @@ RunComparison compare(const std::vector<std::string>& a, const std::vector<std::
 }
 
 /// A place for a wrong value, and what a comparison has to report of it.
-struct Place {
+struct Spot {
   std::string path;     // JSON pointer
   std::string subject;  // pair or shape
   std::string_view stage;
@@ -99,14 +99,14 @@ std::string_view stage_in_pair(const std::string& path) {
 }
 
 /// All places of a frame where a number that is not an index, or a text, can be changed.
-std::vector<Place> places_of(const Json& frame) {
-  std::vector<Place> places;
+std::vector<Spot> places_of(const Json& frame) {
+  std::vector<Spot> places;
   const Json flat = frame.flatten();
   for (const auto& item : flat.items()) {
     const std::string path = item.key();
     const Json& value = item.value();
     if (!value.is_number_float() && !value.is_string()) continue;
-    Place place{path, "", ""};
+    Spot place{path, "", ""};
     const auto part = [&](std::size_t begin) {
       return path.substr(begin, path.find('/', begin) - begin);
     };
@@ -145,18 +145,18 @@ TEST(CompareRuns, HundredPlantedDivergencesAreFound) {
     std::vector<std::string> other = lines;
     const std::size_t at = below(lines.size());
     Json frame = Json::parse(lines[at]);
-    std::vector<Place> places = places_of(frame);
+    std::vector<Spot> places = places_of(frame);
     // A stage first, so that none is rare.
     std::set<std::string_view> there;
-    for (const Place& place : places) there.insert(place.stage);
+    for (const Spot& place : places) there.insert(place.stage);
     const std::string_view stage = *std::next(there.begin(), std::ptrdiff_t(below(there.size())));
-    std::erase_if(places, [&](const Place& place) { return place.stage != stage; });
-    const Place place = places[below(places.size())];
+    std::erase_if(places, [&](const Spot& place) { return place.stage != stage; });
+    const Spot place = places[below(places.size())];
     change(frame[Json::json_pointer(place.path)]);
     other[at] = frame.dump();
     for (std::size_t later = at + 1; later < lines.size() && run % 2 == 1; ++later) {
       frame = Json::parse(lines[later]);
-      for (const Place& one : places_of(frame)) change(frame[Json::json_pointer(one.path)]);
+      for (const Spot& one : places_of(frame)) change(frame[Json::json_pointer(one.path)]);
       other[later] = frame.dump();
     }
     const RunComparison runs = compare(lines, other);

@@ -1,6 +1,6 @@
-#include "snapshot/match.h"
-
 #include <gmock/gmock.h>
+
+#include "snapshot/compare_facts.h"
 
 namespace contactscope::snapshot {
 namespace {

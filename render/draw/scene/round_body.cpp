@@ -162,19 +162,6 @@ std::vector<OutlinePoint> outline_of(const RoundBody& body, const Camera& camera
   return outline;
 }
 
-/// Cosines and sines of the steps around the outline of a small body.
-const std::vector<Vec2d>& small_circle() {
-  static const std::vector<Vec2d> circle = [] {
-    std::vector<Vec2d> made;
-    for (int i = 0; i < kSmallOutlineSteps; ++i) {
-      const double angle = 2 * kPi * i / kSmallOutlineSteps;
-      made.emplace_back(std::cos(angle), std::sin(angle));
-    }
-    return made;
-  }();
-  return circle;
-}
-
 // The unit normals with n . towards >= least.
 struct Cap {
   Vec3d towards;  // unit
@@ -185,7 +172,14 @@ struct Cap {
   std::vector<Vec3d> border() const {
     const Vec3d u = any_perpendicular(towards), v = towards.cross(u);
     const double across = std::sqrt(std::max(0.0, 1 - least * least));
-    return mapped(small_circle(), [&](const Vec2d& at) -> Vec3d {
+    static const std::vector<Vec2d> circle = [] {
+      std::vector<Vec2d> made;
+      for (double i = 0; i < kSmallOutlineSteps; ++i)
+        made.emplace_back(std::cos(2 * kPi * i / kSmallOutlineSteps),
+                          std::sin(2 * kPi * i / kSmallOutlineSteps));
+      return made;
+    }();
+    return mapped(circle, [&](const Vec2d& at) -> Vec3d {
       return least * towards + across * (at.x() * u + at.y() * v);
     });
   }
