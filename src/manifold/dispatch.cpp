@@ -6,7 +6,6 @@
 #include "manifold/collide_pairs.h"
 #include "manifold/fast/collide_box_box.h"
 #include "manifold/fast/collide_two_capsules.h"
-#include "manifold/hull_seams.h"
 #include "manifold/in_double.h"
 #include "manifold/merge_triangles.h"
 #include "manifold/round_contact.h"

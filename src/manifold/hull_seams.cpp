@@ -1,8 +1,7 @@
-#include "manifold/hull_seams.h"
-
 #include <algorithm>
 #include <limits>
 
+#include "manifold/collide_pairs.h"
 #include "manifold/create_contact.h"
 #include "manifold/internal_edges.h"
 #include "manifold/round_contact.h"

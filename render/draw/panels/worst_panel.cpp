@@ -83,7 +83,6 @@ class WorstPanel : public PanelContent {
     return shown;
   }
 
-  /// Whole pixels.
   float row_height() const { return std::floor(kRowHeight * Sheet::line_height(scale_)); }
   /// Height of a ranking, pixels.
   float height_of(std::size_t rows) const {

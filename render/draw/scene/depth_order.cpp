@@ -94,7 +94,6 @@ struct Painter {
   // Sorts small surfaces by their middles.
   void paint_small(const Items& items) {
     std::vector<std::pair<double, Listed>> sorted;
-    sorted.reserve(items.size());
     for (const Listed& item : items) {
       if (!is_small(item)) continue;
       Vec3d sum = Vec3d::Zero();

@@ -89,8 +89,7 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
       const double angle = wanted + step * 2 * std::numbers::pi / kDirections;
       const Eigen::Vector2d middle = middle_of(anchor, {std::cos(angle), std::sin(angle)},
                                                double{width}, double{height}, reach);
-      const double cx = middle.x(), cy = middle.y();
-      const Rect box{cx - 0.5 * width - kPadding, cy - 0.5 * height - kPadding,
+      const Rect box{middle.x() - 0.5 * width - kPadding, middle.y() - 0.5 * height - kPadding,
                      width + 2 * kPadding, height + 2 * kPadding};
       if (!is_free(box) || (uncrossed && is_crossed(box))) continue;
       const Point2 end = box.nearest(anchor);
@@ -98,7 +97,8 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Point2& anchor, float
       if (!any_leader && (needs_leader || has_leader) && misleads(anchor, end)) continue;
       taken_.push_back(box);
       texts_.push_back(box);
-      return Place{pixel(cx - 0.5 * width, cy + 0.5 * height - descent), needs_leader, end};
+      return Place{pixel(middle.x() - 0.5 * width, middle.y() + 0.5 * height - descent),
+                   needs_leader, end};
     }
   }
   return std::nullopt;
