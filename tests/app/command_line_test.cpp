@@ -337,5 +337,39 @@ TEST(List, EveryClaimOfTheSourcesIsShownByWhatExists) {
   EXPECT_GT(shown, 200);
 }
 
+TEST(List, APageShowsTheScenesOfADocumentInItsOrder) {
+  const TemporaryFolder out;
+  const ProgramRun made =
+      run("list lecture --format html --snapshots '" CONTACTSCOPE_SOURCE_DIR "/snapshots' --out '" +
+          out.path().string() + "'");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string page = read_text(out.path() / "lecture.html");
+  const auto rows = nlohmann::json::parse(run("list lecture --json").out)["lecture"];
+  std::size_t at = 0;
+  for (const auto& row : rows) {
+    at = page.find("<b>" + std::string(row["name"]) + "</b>", at);
+    ASSERT_NE(at, std::string::npos) << row;
+  }
+  const std::regex shown("class=\"p (p[0-9]+)\"");
+  std::set<std::string> pictures;
+  for (std::sregex_iterator one(page.begin(), page.end(), shown), end; one != end; ++one) {
+    pictures.insert((*one)[1]);
+    EXPECT_THAT(page, HasSubstr("." + std::string((*one)[1]) +
+                                "{background-image:url(data:image/webp;base64,UklGR"));
+  }
+  EXPECT_GT(pictures.size(), rows.size() / 2);
+  for (const char* network : {"<script", "src=", "href=", "http"})
+    EXPECT_THAT(page, testing::Not(HasSubstr(network)));
+}
+
+TEST(List, OnlyTheSourcesAndTheCourseArePages) {
+  for (const char* wrong : {"list --format html", "list layers --format html",
+                            "list sources --format svg", "list sources --format html,svg"}) {
+    const ProgramRun refused = run(wrong);
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_THAT(refused.err, HasSubstr("write list sources --format html")) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace contactscope::test
