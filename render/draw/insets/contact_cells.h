@@ -8,7 +8,7 @@
 #include "core/at.h"
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
-#include "draw/title.h"
+#include "draw/scene/layout.h"
 #include "trace/exploration.h"
 
 namespace contactscope::draw {

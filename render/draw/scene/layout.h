@@ -8,6 +8,8 @@
 #include "draw/scene/drawing.h"
 #include "draw/scene/theme.h"
 #include "image/font.h"
+#include "trace/trace.h"
+#include "view/view.h"
 #include "view/words.h"
 
 namespace contactscope::draw {
@@ -89,5 +91,24 @@ FittedTitle fit_title(const std::string& title, float room, float scale);
 /// Title top left, source bottom left, frame and time bottom right.
 void draw_captions(const std::string& title, const std::string& source, const std::string& moment,
                    const Layout& layout, Drawing& drawing);
+
+/// Texts for the moment of a frame: "frame 12, t = 0.200 s", or "step 3 of 5" for an algorithm
+/// shown in steps. Frame k of an algorithm shows the result of step k; frame 0 is the start. If the
+/// time equals the frame number, frames are pictures, and the first is picture 1.
+class Moments {
+ public:
+  /// Without frames: texts with frame and time.
+  Moments() = default;
+  /// All frames of a sequence, or a subset of a long one that includes the first and the last.
+  Moments(const std::vector<trace::Frame>& frames, Story story);
+
+  std::string of(const trace::Frame& frame) const;
+
+ private:
+  bool steps_ = false;
+  const char* word_ = "step";
+  int before_first_ = 0;  // added to the number of a frame
+  int last_ = 0;          // last step
+};
 
 }  // namespace contactscope::draw

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/check/lint.h"
 #include "app/check/reports/report.h"
+#include "app/cli/faults.h"
 #include "app/cli/progress.h"
 #include "app/cli/sequence.h"
 #include "app/render/figure_canvas.h"

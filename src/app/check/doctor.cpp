@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/check/lint.h"
+#include "app/cli/faults.h"
 #include "app/cli/verbs.h"
 #include "image/font.h"
 

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "app/check/lint.h"
+#include "app/cli/faults.h"
 #include "app/cli/progress.h"
 #include "app/cli/trace_file.h"
 #include "core/input_error.h"

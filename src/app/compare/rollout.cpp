@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "app/check/lint.h"
 #include "app/cli/catalogue.h"
+#include "app/cli/faults.h"
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/cli/trace_file.h"

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/check/lint.h"
 #include "app/cli/catalogue.h"
+#include "app/cli/faults.h"
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/compare/engine_runs.h"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/check/lint.h"
+#include "app/cli/faults.h"
 #include "app/cli/narrow.h"
 #include "app/cli/verbs.h"
 #include "app/render/figure_canvas.h"
