@@ -9,11 +9,9 @@
 #include "core/pose.h"
 
 /// Lecture 3.4, "Box-Box Contacts": the contact of two boxes by trying all corners and all edges.
-/// The study compares it with the separating axis test; nothing else uses it.
+/// The study compares it with the separating axis test; nothing else uses it. Boxes are given by
+/// half extents along their own axes, about their own origins, metres.
 namespace contactscope {
-
-/// Half extents along its own axes, about its own origin, metres.
-using HalfExtents = Vec3d;
 
 struct ExhaustiveContact {
   double depth = 0;              // metres, > 0
@@ -24,7 +22,7 @@ namespace exhaustive {
 
 /// Slides 27 and 28: a corner inside of a box leaves it along the shallowest of the box's axes, by
 /// the returned vector in the box's frame; nothing if it is outside.
-inline std::optional<Vec3d> displacement_out(const Vec3d& corner, const HalfExtents& half) {
+inline std::optional<Vec3d> displacement_out(const Vec3d& corner, const Vec3d& half) {
   const Vec3d depths = half - corner.cwiseAbs();
   int axis = 0;
   const double least = depths.minCoeff(&axis);
@@ -32,7 +30,7 @@ inline std::optional<Vec3d> displacement_out(const Vec3d& corner, const HalfExte
   return Vec3d(Vec3d::Unit(axis) * (corner[axis] < 0 ? -least : least));
 }
 
-inline Vec3d corner_of(const HalfExtents& half, int index) {
+inline Vec3d corner_of(const Vec3d& half, int index) {
   return {index & 1 ? half.x() : -half.x(), index & 2 ? half.y() : -half.y(),
           index & 4 ? half.z() : -half.z()};
 }
@@ -42,7 +40,7 @@ struct Edge {
 };
 
 /// The twelve edges of a box, in the parent of `pose`.
-inline std::array<Edge, 12> edges_of(const HalfExtents& half, const Pose<double>& pose) {
+inline std::array<Edge, 12> edges_of(const Vec3d& half, const Pose<double>& pose) {
   std::array<Edge, 12> edges;
   for (int i = 0; i < 12; ++i) {
     const int axis = i / 4;
@@ -79,8 +77,7 @@ std::optional<ExhaustiveContact> crossing(const Edge& a, const Edge& b, const Ve
 
 /// The deepest contact that the lecture's search finds; nothing if no corner is inside and no edges
 /// cross.
-inline std::optional<ExhaustiveContact> exhaustive_contact(const HalfExtents& a,
-                                                           const HalfExtents& b,
+inline std::optional<ExhaustiveContact> exhaustive_contact(const Vec3d& a, const Vec3d& b,
                                                            const Pose<double>& b_in_a) {
   std::optional<ExhaustiveContact> deepest;
   const auto keep = [&](double depth, const Vec3d& normal) {
