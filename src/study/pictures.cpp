@@ -300,8 +300,8 @@ const std::vector<PictureRow>& picture_rows() {
               return number(plot.point(method).nanoseconds.min / 1000) + " µs";
             };
             return "A box that falls a metre needs the depth of cores in " +
-                   plot.mark("EPA", plot.share("EPA")) + " of the frames: " + time("EPA") +
-                   ", and GJK " + time("GJK");
+                   plot.mark("EPA", plot.share("EPA")) + " of the frames: EPA takes " +
+                   time("EPA") + ", GJK " + time("GJK");
           }),
       row("solver", "jitter", kSolvers, {{"More sub-steps, an iteration each", ""}},
           "sub-steps of a frame, an iteration each", "",

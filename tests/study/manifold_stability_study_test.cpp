@@ -52,8 +52,8 @@ TEST(ManifoldStabilityStudy, HasThreeMeasuresOfThreeMethodsInThreePanels) {
       EXPECT_NEAR(*queries[0].points[p].error + *queries[deep].points[p].error, 1, 1e-12)
           << "either GJK suffices, or the depth is needed";
   // From 10 m it falls by 23 cm a frame, past both margins; from 10 cm by 2 cm, half of them.
-  EXPECT_GT(*queries[1].points.back().error, 0);
-  EXPECT_EQ(*queries[1].points.front().error, 0);
+  EXPECT_GT(*queries[1].points.back().error, 0.2);
+  EXPECT_LT(*queries[1].points.front().error, 0.1);
   for (const trace::Study& study : std::span(studies).first(3)) {
     ASSERT_EQ(study.series.size(), 9U) << study.measure;
     for (const trace::StudySeries& series : study.series) {

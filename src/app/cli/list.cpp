@@ -41,7 +41,7 @@ namespace fs = std::filesystem;
 /// A claim of one of the source documents, or a step of the course.
 struct SourceRow {
   std::string id, place, claim;
-  std::vector<std::string> shown;  // scenes with or without ":FRAME", "study NAME", or files
+  std::vector<std::string> shown;  // "group/idea[:FRAME]", "study NAME[:MEASURE]", or a file
 };
 
 struct Document {
@@ -64,7 +64,7 @@ constexpr std::string_view kStyle =
     "body{font:16px/1.4 system-ui,sans-serif;margin:2em auto;max-width:1320px;padding:0 1em;"
     "color:#1b1e23;background:#fff}main{display:grid;gap:1.5em;"
     "grid-template-columns:repeat(auto-fill,minmax(min(400px,100%),1fr))}"
-    "h2{grid-column:1/-1;font-size:1.15em;margin:1em 0 0}figure{margin:0}"
+    "h2{font-size:1em;margin:0 0 .3em}figure{margin:0 0 1em}"
     ".p{aspect-ratio:16/9;background-size:contain;background-repeat:no-repeat;"
     "border:1px solid #ccc;background-color:#fff}"
     "figcaption b{color:#666}code{font-size:.85em;color:#555;overflow-wrap:anywhere}"
@@ -99,11 +99,11 @@ std::optional<fs::path> picture_of(const std::string& shown, const fs::path& roo
   };
   std::error_code missing;
   if (shown.starts_with("study ")) {
-    const std::string name = shown.substr(6);
+    std::string name = shown.substr(6);
+    std::ranges::replace(name, ':', '_');
     for (const auto& file : fs::directory_iterator(root / "study", missing)) {
       const std::string stem = file.path().stem().string();
-      if (stem == name || stem.starts_with(name + "_"))
-        consider(file.path(), static_cast<int>(stem.size()));
+      if (stem.starts_with(name)) consider(file.path(), static_cast<int>(stem.size()));
     }
     return best;
   }
@@ -146,12 +146,10 @@ std::vector<SourceRow> source_rows(const std::string& what) {
 std::string write_source_page(const std::string& what, const Options& options) {
   const std::string title = vector::escaped(document_of(what).title);
   std::map<fs::path, std::size_t> pictures;  // their numbers: each is in the page once
-  std::string style(kStyle), body, place;
+  std::string style(kStyle), body;
   for (const SourceRow& row : source_rows(what)) {
-    if (row.place != place) body += "<h2>" + vector::escaped(row.place) + "</h2>\n";
-    place = row.place;
     const std::string claim = vector::escaped(row.claim);
-    body += "<figure>";
+    body += "<figure><h2>" + vector::escaped(row.place) + "</h2>";
     for (const std::string& shown : row.shown) {
       const auto picture = picture_of(shown, options.snapshot_root);
       if (!picture) continue;
