@@ -25,6 +25,7 @@ async function inflate(text) {
 
 /** The fields of facts.h, in their order; the page has their numbers. */
 let POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS;
+const nameFields = fields => { [POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS] = fields; };
 const CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in coder.h
 /** `size` last values, and then the bits of their last differences. */
 const lastOf = size => new Int32Array(2 * size);
@@ -77,7 +78,7 @@ const fineOf = steps => Math.abs(steps) < 2048 ? steps : ((bits[0] = (Math.abs(s
 async function unpack(text, post) {
   const bytes = await inflate(text), length = new DataView(bytes.buffer).getUint32(0, true);
   data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
-  [POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS] = data.fields;
+  nameFields(data.fields);
   data.forms = data.forms.map(form => JSON.parse(form));
   data.shapes = Object.entries(data.header.shapes).map(([name, shape]) => ({ ...shape, name }));
   post(data);

@@ -235,7 +235,7 @@ DeepBoxes deep_boxes(std::mt19937_64& engine, double share) {
                           Obb<double>{distance * ray, rotation.toRotationMatrix(), half_b});
   };
   double near = 0, far = half_a.norm() + half_b.norm();  // it grows along the ray
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (near + far);
     (separation(middle) < -depth ? near : far) = middle;
   }

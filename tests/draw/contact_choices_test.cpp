@@ -98,7 +98,7 @@ TEST(ContactCells, TheFourthChoiceShowsItsBarycentricCoordinates) {
   const Vec3d& fourth = points[static_cast<std::size_t>(kept[3])].position;
   const Vec3d weights = corners.inverse() * Vec3d(fourth.x(), 1, fourth.z());
   ASSERT_LT(weights.minCoeff(), 0);
-  EXPECT_THAT(words(drawn(chosen(), 0, 1280, 720, 4)),
+  EXPECT_THAT(words(drawn(chosen(), 0, 1920, 720, 4)),
               Contains("weights of 1, 2, 3 at point 4: " + spell_number(weights[0], 3) + ", " +
                        spell_number(weights[1], 3) + ", " + spell_number(weights[2], 3)));
 }

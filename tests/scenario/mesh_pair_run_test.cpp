@@ -110,7 +110,8 @@ TEST(MeshPairRun, ATraversalWithoutTwoTreesHasNoEffect) {
       "a.toml");
   EXPECT_THAT(scenario.warnings,
               testing::ElementsAre(testing::HasSubstr("'traversal' has no effect: only a query "
-                                                      "of two meshes without bounds")));
+                                                      "of two meshes, or of two convex shapes, "
+                                                      "without bounds")));
 }
 
 /// A sheet that is wound up, and another one that moves by `speed` along y.

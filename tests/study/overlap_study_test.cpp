@@ -8,15 +8,18 @@
 namespace contactscope {
 namespace {
 
-std::vector<trace::Study> small_study(int cases) {
-  StudyOptions options;
-  options.cases = cases;
-  options.repetitions = 1;
-  return study_overlap(options, [](int, int, const auto&) {});
+const std::vector<trace::Study>& small_overlap_study() {
+  static const std::vector<trace::Study> studies = [] {
+    StudyOptions options;
+    options.cases = 3000;
+    options.repetitions = 1;
+    return study_overlap(options, [](int, int, const auto&) {});
+  }();
+  return studies;
 }
 
 TEST(OverlapStudy, LooserBoundsLetMoreThroughAndNoneLosesAnOverlap) {
-  const std::vector<trace::Study> studies = small_study(3000);
+  const std::vector<trace::Study>& studies = small_overlap_study();
   ASSERT_EQ(studies.size(), 4u);
   const trace::Study& bounds = studies[0];
   EXPECT_EQ(bounds.measure, "false_positives");
@@ -64,7 +67,7 @@ TEST(OverlapStudy, TheLecturesSearchFindsWhatItsSlidesDraw) {
 }
 
 TEST(OverlapStudy, TheLecturesSearchGetsDeepBoxesWrong) {
-  const trace::Study study = small_study(300).back();
+  const trace::Study& study = small_overlap_study().back();
   EXPECT_EQ(study.measure, "boxes");
   const auto& [lecture, sat] = std::pair(study.series.at(0), study.series.at(1));
   for (const trace::StudyPoint& point : sat.points) {
@@ -75,7 +78,7 @@ TEST(OverlapStudy, TheLecturesSearchGetsDeepBoxesWrong) {
 }
 
 TEST(OverlapStudy, ALowThresholdMissesAHighOneSeesPhantomsAndTheGuardDoesNeither) {
-  const std::vector<trace::Study> studies = small_study(3000);
+  const std::vector<trace::Study>& studies = small_overlap_study();
   for (std::size_t s = 1; s < 3; ++s) {
     const trace::Study& study = studies[s];
     ASSERT_EQ(study.series.size(), 8u);

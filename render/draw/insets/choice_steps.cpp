@@ -171,8 +171,13 @@ struct ChoicePen : Pen {
       labels.push_back({middle_of_edge + 0.17 * (corners[k] - middle_of_edge),
                         "+" + spell_area(area), kDropped, false, true});
     }
-    text("weights of 1, 2, 3 at point 4: " + spelled[0] + ", " + spelled[1] + ", " + spelled[2],
-         pixel(plane.map.right(), plane.map.bottom()), Align::Right, kText);
+    const std::string said =
+        "weights of 1, 2, 3 at point 4: " + spelled[0] + ", " + spelled[1] + ", " + spelled[2];
+    const Vec2d corner(plane.map.right(), plane.map.bottom());
+    const double left = corner.x() - width_of(said, Weight::Regular) - px(40);
+    const bool has_room = std::ranges::none_of(
+        places, [&](const Point2& at) { return at.x > left && at.y > corner.y() - px(60); });
+    if (has_room) text(said, pixel(corner), Align::Right, kText);
   }
 
   /// Perpendicular from the line of the edge to a point. Returns its foot.
