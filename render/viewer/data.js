@@ -23,16 +23,13 @@ async function inflate(text) {
   return new Uint8Array(await new Response(stream.readable).arrayBuffer());
 }
 
-/** The fields of facts.h, in their order; the page has their numbers. */
-let POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS;
-const nameFields = fields => { [POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS] = fields; };
 const CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in coder.h
 /** `size` last values, and then the bits of their last differences. */
 const lastOf = size => new Int32Array(2 * size);
 
 /** The coder of coder.h, backwards: read(field, last, k) is the next integer, which is also written to last[k]. */
-function reader(bytes, at) {
-  const zeros = new Uint16Array(FIELDS * FIELD_SLOTS).fill(32768);
+function reader(bytes, at, fields) {
+  const zeros = new Uint16Array(fields * FIELD_SLOTS).fill(32768);
   const part = new Uint32Array([0xffffffff, 0]), RANGE = 0, CODE = 1;  // of [0, 1), times 2^32
   for (let i = 0; i < 4; ++i) part[CODE] = part[CODE] << 8 | bytes[at++];
   const shift = () => {
@@ -78,17 +75,17 @@ const fineOf = steps => Math.abs(steps) < 2048 ? steps : ((bits[0] = (Math.abs(s
 async function unpack(text, post) {
   const bytes = await inflate(text), length = new DataView(bytes.buffer).getUint32(0, true);
   data = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
-  nameFields(data.fields);
   data.forms = data.forms.map(form => JSON.parse(form));
   data.shapes = Object.entries(data.header.shapes).map(([name, shape]) => ({ ...shape, name }));
   post(data);
-  const all = contactsOf(data, reader(bytes, 4 + length));
+  const all = contactsOf(data, reader(bytes, 4 + length, data.fields.FIELDS));
   Object.assign(data, all);
   all.totals = totals();
   post(all, Object.values(all).flatMap(one => one.buffer || Object.values(one).map(list => list.buffer)));
 }
 /** All that changes from frame to frame. */
 function contactsOf(data, read) {
+  const { POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS } = data.fields;
   const { counts, quantum } = data, frames = data.frames.length, bodies = data.shapes.length, single = Array.from({ length: FIELDS }, () => lastOf(1)), lastPose = data.shapes.map(() => lastOf(7));
   const next = (field, predicted = 0) => ((single[field][0] = predicted), read(field, single[field]));
   const listOf = (size, kind = Int32Array) => new kind(size);
@@ -203,6 +200,7 @@ const recordOf = (pair, frame) => data.contacts.pair.subarray(0, data.contacts.f
 function stagesOf(record) {
   let at = data.contacts.values[record];
   const triple = step => [0, 1, 2].map(() => data.values[at++] * step);
+  const { INTEGER, TEXT, SCALAR, PLACE, UNIT } = data.fields;
   const of = { [INTEGER]: () => data.values[at++], [TEXT]: () => data.texts[data.values[at++]], [SCALAR]: () => fineOf(data.values[at++]) * data.fine,
     [PLACE]: () => triple(data.place), [UNIT]: () => triple(data.unit) };
   const fill = form => typeof form === 'number' ? of[form]() : Array.isArray(form) ? form.map(fill)

@@ -80,9 +80,9 @@ PackedFacts::PackedFacts(const trace::Header& header)
            {"unit", kCoarser / kUnits}, {"fine", fine_},
            {"units", kUnits},           {"header", ordered_json::parse(to_json_line(header))}};
   shorten(json_["header"]);
-  json_["fields"] = {kPoses,      kPoseBody, kPose,           kPairs,  kPair,  kSteady,
-                     kLayoutSize, kLayout,   kPairSeparation, kNormal, kPoint, kSame,
-                     kInteger,    kText,     kScalar,         kPlace,  kUnit,  kFields};
+#define CONTACTSCOPE_NAMED(page, name, count) {#page, k##name},
+  json_["fields"] = {CONTACTSCOPE_VIEWER_FIELDS(CONTACTSCOPE_NAMED){"FIELDS", kFields}};
+#undef CONTACTSCOPE_NAMED
   for (const char* list : {"frames", "times", "pairs", "texts", "forms"})
     json_[list] = ordered_json::array();
   for (const char* object : {"masses", "deformed"}) json_[object] = ordered_json::object();

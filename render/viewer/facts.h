@@ -12,29 +12,32 @@
 /// The facts of a sequence in a compact form: shapes once, then integers.
 namespace contactscope::viewer {
 
-/// The fields of the integers, in the order of data.js; the page has their numbers. Each is stored
-/// as its difference from the one of the same body, or of the same place in the pair's last list.
-enum Field {
-  kPoses,     // number in a frame
-  kPoseBody,  // predicted: the next body
-  kPose,      // position, rotation w, x, y, z
-  kPairs = kPose + 7,
-  kPair,    // predicted: the one that followed the last time
-  kSteady,  // 1: the pair's layout is the last one
-  kLayoutSize,
-  kLayout,          // 1: touching; 1 + index of the form of its stages, 0: none; manifolds; and of
-                    // each: axis, type, triangle, number of points, ids
-  kPairSeparation,  // predicted: that of its deepest point, if it has one
-  kNormal,
-  kPoint = kNormal + 3,  // position, separation, impulse + 1, friction impulse + 1
-  kSame = kPoint + 6,    // of a value in the stages: 1 + index of an equal one; 0: none
-  kInteger,              // the kinds of values in stages
-  kText,
-  kScalar,
-  kPlace,
-  kUnit = kPlace + 3,
-  kFields = kUnit + 3
-};
+/// The fields of the integers, the first of each row: name in the page, name, how many. Each is
+/// stored as its difference from the one of the same body, or of the same place in the pair's last
+/// list. The layout of a pair: 1: touching; 1 + index of the form of its stages, 0: none; manifolds;
+/// and of each: axis, type, triangle, number of points, ids.
+#define CONTACTSCOPE_VIEWER_FIELDS(ROW)                                                        \
+  ROW(POSES, Poses, 1)        /* number in a frame */                                          \
+  ROW(POSE_BODY, PoseBody, 1) /* predicted: the next body */                                   \
+  ROW(POSE, Pose, 7)          /* position, rotation w, x, y, z */                              \
+  ROW(PAIRS, Pairs, 1)                                                                         \
+  ROW(PAIR, Pair, 1)     /* predicted: the one that followed the last time */                  \
+  ROW(STEADY, Steady, 1) /* 1: the pair's layout is the last one */                            \
+  ROW(LAYOUT_SIZE, LayoutSize, 1)                                                              \
+  ROW(LAYOUT, Layout, 1)                                                                       \
+  ROW(SEPARATION, PairSeparation, 1) /* predicted: that of its deepest point, if it has one */ \
+  ROW(NORMAL, Normal, 3)                                                                       \
+  ROW(POINT, Point, 6)     /* position, separation, impulse + 1, friction impulse + 1 */       \
+  ROW(SAME, Same, 1)       /* of a value in the stages: 1 + index of an equal one; 0: none */  \
+  ROW(INTEGER, Integer, 1) /* the kinds of values in stages */                                 \
+  ROW(TEXT, Text, 1)                                                                           \
+  ROW(SCALAR, Scalar, 1)                                                                       \
+  ROW(PLACE, Place, 3)                                                                         \
+  ROW(UNIT, Unit, 3)
+
+#define CONTACTSCOPE_ENUMERATOR(page, name, count) k##name, kLast##name = k##name + (count)-1,
+enum Field { CONTACTSCOPE_VIEWER_FIELDS(CONTACTSCOPE_ENUMERATOR) kFields };
+#undef CONTACTSCOPE_ENUMERATOR
 
 /// Positions of bodies are multiples of `quantum`: 1/16384 of the smallest shape, rounded down to a
 /// power of two; those of points multiples of four quanta. Separations are multiples of quantum / 256

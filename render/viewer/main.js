@@ -11,7 +11,6 @@ async function start() {
   }
   make('script', new TextDecoder().decode(await inflate(takeText('three'))), document.head);
   data = await fixed;
-  nameFields(data.fields);  // the worker has its own
   const scene = new THREE.Scene(), renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.debug.checkShaderErrors = false;
   PIXELS.value = new THREE.Vector2(1, 1);

@@ -150,8 +150,6 @@ void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sk
 
 constexpr Swatch kFromCenterSwatch{LegendGroup::Axes, 8,
                                    [](auto& pen) { pen.arrow(2, 8, kShapeEdge); }};
-constexpr Swatch kOutwardSwatch{LegendGroup::Forces, 4,
-                                [](auto& pen) { pen.arrow(3, 10, kNormal); }};
 constexpr Swatch kInwardSwatch{LegendGroup::Forces, 5,
                                [](auto& pen) { pen.open_arrow(2, kDropped); }};
 
@@ -180,7 +178,7 @@ void draw_orientation(const Scene& scene, const trace::Pair& pair, Sketch& sketc
                18, 12);
   sketch.explain(kDecidingEdgesSwatch, "edges that make the axis");
   sketch.explain(kFromCenterSwatch, "o − c, from A's centre to its edge");
-  sketch.explain(kOutwardSwatch, "normal n, along it");
+  sketch.explain(kNormalSwatch, "normal n, along it");
   sketch.explain(kInwardSwatch, "the opposite direction, into A");
 }
 
