@@ -75,11 +75,12 @@ template <class S> trace::TestedAxis recorded_axis(const OverlapAxis<S>& axis) {
 
 /// The largest separation along the axes that were not skipped, metres.
 template <class S> std::optional<S> largest_gap(const OverlapRecord<S>& record) {
-  std::optional<S> largest;
+  const OverlapAxis<S>* widest = nullptr;
   for (const OverlapAxis<S>& axis : record.axes)
-    if (!axis.skipped && !axis.direction.isZero(0) && !(largest && *largest >= axis.gap))
-      largest = axis.gap;
-  return largest;
+    if (!axis.skipped && !axis.direction.isZero(0) &&
+        (!widest || trace::separates_more(axis, *widest, std::numeric_limits<S>::epsilon())))
+      widest = &axis;
+  return widest ? std::optional<S>(widest->gap) : std::nullopt;
 }
 
 /// `overlap(comparison, record)` tests the two bounds.

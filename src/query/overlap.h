@@ -72,6 +72,8 @@ template <class S> struct OverlapAxis {
   S gap = 0;                                    // metres, negative in overlap
   bool skipped = false;                         // the cross product is too short
   bool separates = false;                       // decision of the test
+
+  bool is_of_edges() const { return kind == OverlapAxisKind::Edges; }
 };
 
 /// Record of an overlap test: all axes, including those after the first that separates. The bounds

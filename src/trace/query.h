@@ -41,6 +41,8 @@ struct TestedAxis {
   bool skipped = false;    // the cross product is too short
   bool separates = false;  // verdict of the test
 
+  bool is_of_edges() const { return kind == "edges"; }
+
   static constexpr auto fields() {
     using A = TestedAxis;
     return field::list(
@@ -53,6 +55,14 @@ struct TestedAxis {
   }
   friend bool operator==(const TestedAxis&, const TestedAxis&) = default;
 };
+
+/// Whether the bounds are farther apart along `axis` than along `than`. Along a cross product of
+/// edges they must be farther by 16 `epsilon` of both reaches: it can be the normal of a face again.
+template <class Axis> bool separates_more(const Axis& axis, const Axis& than, double epsilon) {
+  const bool may_be_the_same = axis.is_of_edges() && !than.is_of_edges();
+  const double reach = axis.interval_b[1] - axis.interval_a[0];
+  return axis.gap > than.gap + (may_be_the_same ? 16 * epsilon * reach : 0);
+}
 
 /// Result for the shapes themselves when their bounds were queried: whether they share a point, and
 /// their distance if it is known.

@@ -43,6 +43,26 @@ TEST_F(Formats, VectorsAloneOpenNoOpenGL) {
   EXPECT_THAT(text("group/idea/frame_0001.pdf"), StartsWith("%PDF-"));
 }
 
+// Two prisms that overlap by 353 mm, seen along their edges: their difference is flat.
+TEST_F(Formats, ThePanelOfGjkSaysThatPrismsOverlap) {
+  const auto prism = [](const std::vector<std::string>& corners) {
+    std::string vertices;
+    for (const char* z : {"-0.2", "0.2"})
+      for (const std::string& corner : corners) vertices += "[" + corner + ", " + z + "], ";
+    return "type = \"hull\"\nvertices = [" + vertices + "]\n";
+  };
+  scenario_ = folder_.write(
+      "group/idea.toml",
+      "title = \"GJK\"\n[time]\nframes = 5\n[shapes.block]\n" +
+          prism({"-0.6, -0.4", "0.5, -0.4", "0.7, 0", "0.2, 0.45", "-0.6, 0.3"}) +
+          "[shapes.wedge]\n" + prism({"0, -0.5", "-0.55, 0.3", "0.5, 0.35"}) +
+          "position = [0.45, 0.35, 0]\nrotation = { axis = [0, 0, 1], degrees = -15 }\n"
+          "[pipeline]\npenetration = \"epa\"\n"
+          "[[views]]\nlayers = [\"simplex\"]\npanels = [\"minkowski\"]\nstory = \"gjk_steps\"\n");
+  ASSERT_EQ(render("--format svg --frames 4").exit_code, 0);
+  EXPECT_THAT(text("group/idea/frame_0004.svg"), HasSubstr(">GJK: overlap<"));
+}
+
 TEST_F(Formats, AnchorsAreWrittenNextToThePicture) {
   const ProgramRun result = render("--format svg --frames 1 --anchors");
   ASSERT_EQ(result.exit_code, 0) << result.err;

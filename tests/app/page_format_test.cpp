@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
@@ -99,6 +100,25 @@ TEST(PageFormat, NoTextOfAScenarioIsMarkup) {
     const std::string said = nlohmann::json::parse("\"" + std::string(text) + "\"");
     EXPECT_THAT(page_data(html).dump(), HasSubstr(nlohmann::json(said).dump().substr(1, 8)));
   }
+}
+
+// A script that the label opens would leave the page without its own.
+TEST(PageFormat, ABrowserDrawsWhateverALabelSays) {
+  if (std::system("command -v chromium > /dev/null") != 0)
+    GTEST_SKIP() << "Chromium is not installed (apt-get install chromium)";
+  const TemporaryFolder folder;
+  const std::string file = folder.write("nasty/idea.toml", scenario_that_says("<!--<script>"));
+  ASSERT_EQ(
+      run("render '" + file + "' --format html --quiet --out '" + (folder / "out") + "'").exit_code,
+      0);
+  const std::string command =
+      "timeout 60 chromium --headless=new --no-sandbox --disable-gpu --user-data-dir='" +
+      (folder / "profile") + "' --dump-dom 'file://" + (folder / "out/nasty/idea/sequence.html") +
+      "' > '" + (folder / "seen.html") + "' 2> /dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string seen = read_text(folder / "seen.html");
+  EXPECT_THAT(seen, HasSubstr("<h1 id=\"title\">&lt;!--&lt;script&gt;</h1>"));
+  EXPECT_THAT(seen, HasSubstr("<g id=\"g0\" data-layer=\"shapes\""));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "core/at.h"
 #include "geometry/mesh.h"
 #include "support/brute_force_distance.h"
+#include "support/cases.h"
 #include "support/exact_triangles.h"
 #include "support/random_geometry.h"
 
@@ -120,8 +121,8 @@ template <class S> void are_never_met_late(int cases) {
 }
 
 TEST(FlatTrianglesImpact, SlowTheyAreNeverMetLateByExactRationals) {
-  are_never_met_late<double>(1500);
-  are_never_met_late<float>(1500);
+  are_never_met_late<double>(test::cases(1500));
+  are_never_met_late<float>(test::cases(1500));
 }
 
 // Its lower end meets the wall at half of the step, and its middle corner is always on it.

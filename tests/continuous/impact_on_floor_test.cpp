@@ -9,6 +9,7 @@
 #include "geometry/primitives.h"
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
+#include "support/cases.h"
 #include "support/random_geometry.h"
 
 /// Shapes fall on floors up to ten thousand times as large. They meet at the vertical separation
@@ -179,8 +180,8 @@ TEST(ImpactOnFloor, AFloorsReachMakesNoImpactEarly) {
 TEST(ImpactOnFloor, RandomFallsInDouble) { judge_falls<double>(2000, 349); }
 TEST(ImpactOnFloor, RandomFallsInFloat) { judge_falls<float>(2000, 350); }
 TEST(ImpactOnFloor, SlowRandomFalls) {
-  judge_falls<double>(20000, 351);
-  judge_falls<float>(20000, 352);
+  judge_falls<double>(test::cases(20000), 351);
+  judge_falls<float>(test::cases(20000), 352);
 }
 
 }  // namespace

@@ -181,6 +181,19 @@ TEST(Answers, ShowAxesThatSeparateAndThoseOfNoise) {
   EXPECT_EQ(sketch.arrows[0].direction, Vec3d::UnitY()) << "else the largest gap";
 }
 
+TEST(Answers, AFaceWinsATieOfAxesWithEdges) {
+  CrateWithQuery requested(false, false);
+  requested.view.layers = {Layer::TestedAxes};
+  const Vec3d leaning = Vec3d(1e-8, 1, 0).normalized();
+  requested.query().axes[1] = axis("edges", 0, 2, leaning, *requested.query().gap + 1.5e-8);
+  Sketch sketch = sketch_frame(requested.staged(), requested.frames[0]);
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  EXPECT_EQ(sketch.labels[0].text, "A's y");
+  requested.query().axes[1] = axis("edges", 0, 2, leaning, *requested.query().gap + 1e-3);
+  sketch = sketch_frame(requested.staged(), requested.frames[0]);
+  EXPECT_EQ(sketch.labels[0].text, "A's x × B's z");
+}
+
 TEST(Answers, ShowTheClosestPoints) {
   CrateWithQuery requested(false, false);
   requested.query().point_a = Vec3d(0, 0, 0);

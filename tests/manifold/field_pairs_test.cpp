@@ -185,11 +185,12 @@ template <class S> int jumps_of_a_prism(Random& random) {
 TEST(FieldPairs, SlowAPrismThatSlidesOnAFieldKeepsItsPoints) {
   Random random(5);
   int jumps = 0;
-  for (int i = 0; i < test::cases(40); ++i) {
+  const int prisms = test::cases(2'000) / 50;  // a case is a frame
+  for (int i = 0; i < prisms; ++i) {
     SCOPED_TRACE(i);
     jumps += i % 2 == 0 ? jumps_of_a_prism<double>(random) : jumps_of_a_prism<float>(random);
   }
-  EXPECT_LE(jumps, 1);
+  EXPECT_LE(jumps, 1 + prisms / 100);
 }
 
 TEST(FieldPairs, AFieldOnAPlaneTouchesWithTheCornersOfItsShape) {
@@ -329,7 +330,7 @@ TEST(FieldPairs, ASeparatedSphereIsAsFarAsFromTheBoxItself) {
   for (const int cells : {12, 24, 48}) {
     const Vec3d half(1, 0.6, 0.8);
     const Shape<double> field = field_of(make_box(half), {.cells = cells});
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < test::cases(5000); ++i) {
       const Vec3d centre = random.vector(-1, 1).cwiseProduct(Vec3d(2, 1.6, 1.8));
       const double gap = (centre.cwiseAbs() - half).cwiseMax(0.0).norm();
       if (gap == 0) continue;
@@ -344,7 +345,7 @@ TEST(FieldPairs, ASeparatedSphereIsAsFarAsFromTheBoxItself) {
 TEST(FieldPairs, SlowASeparatedHullIsAsFarAsFromTheHullThatTheFieldIsMadeOf) {
   Random random(13);
   int separated = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test::cases(1500) / 5; ++i) {
     const double size = random.decade(-4, 4);
     const Hull<double> source = test::random_hull(random, 10, size, 5);
     const Shape<double> field = field_of(source, {.cells = 12});

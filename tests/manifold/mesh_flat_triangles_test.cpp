@@ -8,6 +8,7 @@
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
+#include "support/cases.h"
 
 /// Triangles without area, which deforming meshes may get, collide as segments and points.
 namespace contactscope {
@@ -136,8 +137,8 @@ template <class S> void shapes_are_as_near_as_the_segment(int cases) {
 }
 
 TEST(MeshFlatTriangles, SlowShapesAreAsNearAsTheSegmentOrThePoint) {
-  shapes_are_as_near_as_the_segment<double>(5000);
-  shapes_are_as_near_as_the_segment<float>(5000);
+  shapes_are_as_near_as_the_segment<double>(test::cases(5000));
+  shapes_are_as_near_as_the_segment<float>(test::cases(5000));
 }
 
 // A strip whose corners have moved onto an edge or each other; some triangles have an area.
@@ -190,8 +191,8 @@ template <class S> void ball_is_as_near_as_all_triangles(int cases) {
 }
 
 TEST(MeshFlatTriangles, SlowABallIsAsNearAsTheNearestTriangleWithOrWithoutAnArea) {
-  ball_is_as_near_as_all_triangles<double>(5000);
-  ball_is_as_near_as_all_triangles<float>(5000);
+  ball_is_as_near_as_all_triangles<double>(test::cases(5000));
+  ball_is_as_near_as_all_triangles<float>(test::cases(5000));
 }
 
 // The middle one of three triangles closes a T-junction of a flat floor: no edge of the floor.

@@ -7,6 +7,7 @@
 #include "manifold/placed_shapes.h"
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
+#include "support/cases.h"
 #include "support/surface_oracle.h"
 
 /// Contacts with real edges and corners are never replaced, unlike those with the tessellation.
@@ -178,8 +179,8 @@ template <class S> void ball_is_as_deep_as_the_closest_point(int cases) {
 }
 
 TEST(MeshRealContacts, SlowABallIsAsDeepAsTheClosestPointOfTheWholeMesh) {
-  ball_is_as_deep_as_the_closest_point<double>(10'000);
-  ball_is_as_deep_as_the_closest_point<float>(10'000);
+  ball_is_as_deep_as_the_closest_point<double>(test::cases(10'000));
+  ball_is_as_deep_as_the_closest_point<float>(test::cases(10'000));
 }
 
 /// Minimum distance of a segment from all triangles.
@@ -226,8 +227,8 @@ template <class S> void capsule_is_as_deep_as_its_closest_points(int cases) {
 }
 
 TEST(MeshRealContacts, SlowACapsuleIsAsDeepAsItsClosestPointsWithTheWholeMesh) {
-  capsule_is_as_deep_as_its_closest_points<double>(2000);
-  capsule_is_as_deep_as_its_closest_points<float>(2000);
+  capsule_is_as_deep_as_its_closest_points<double>(test::cases(2000));
+  capsule_is_as_deep_as_its_closest_points<float>(test::cases(2000));
 }
 
 /// Sine of the rise of edge k's other triangle along a direction; -1 without another triangle.
@@ -283,8 +284,8 @@ template <class S> void hull_keeps_its_contacts_with_edges(int cases) {
 }
 
 TEST(MeshRealContacts, SlowAHullKeepsItsContactsWithTheEdgesOfTheSurface) {
-  hull_keeps_its_contacts_with_edges<double>(5000);
-  hull_keeps_its_contacts_with_edges<float>(5000);
+  hull_keeps_its_contacts_with_edges<double>(test::cases(5000));
+  hull_keeps_its_contacts_with_edges<float>(test::cases(5000));
 }
 
 }  // namespace

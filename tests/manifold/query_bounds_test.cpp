@@ -3,8 +3,10 @@
 #include "geometry/primitives.h"
 #include "manifold/pair_query.h"
 #include "manifold/placed_shapes.h"
+#include "support/brute_force_boxes.h"
 #include "support/brute_force_distance.h"
 #include "support/builders.h"
+#include "support/cases.h"
 #include "support/sphere_mesh.h"
 #include "trace/json.h"
 
@@ -162,6 +164,59 @@ TEST(QueryBounds, SwappingTheShapesMirrorsTheRecord) {
       }
     }
   }
+}
+
+/// Two boxes with one axis direction in common, near and far, deep and apart. Each cross product of
+/// the common axis with another is a normal of a face, up to rounding. Judged by brute force in 113
+/// bits: the gap is a face's, unless edges are farther apart by more than rounding.
+template <class S> void judge_ties_of_axes(int cases, std::uint64_t seed) {
+  Random random(seed);
+  int faces = 0;
+  for (int i = 0; i < cases; ++i) {
+    const double size = random.decade(-4, 4);
+    PlacedShapes pair{test::random_box(random, size, 3), random.pose(size),
+                      test::random_box(random, size, 3), random.pose(0)};
+    pair.pose_b.rotation =
+        pair.pose_a.rotation *
+        Quatd(Eigen::AngleAxisd(random.uniform(0, 6.3), Vec3d::Unit(random.index(3))));
+    pair.pose_b.position =
+        pair.pose_a.position + random.uniform(0.1, 4) * size * random.unit_vector();
+    const Queried<S> found = requested<S>(
+        pair, {.kind = QueryKind::Overlap,
+               .bounds = QueryMethod::Obb,
+               .test = {.axes = random.chance(0.5) ? ObbAxes::Fifteen : ObbAxes::Guarded}});
+    const auto box = [](const trace::Volume& volume) {
+      return Obb<double>{volume.center, volume.rotation->toRotationMatrix(), *volume.half_extents};
+    };
+    const Obb<double> a = box(*found.record.query->bounds_a),
+                      b = box(*found.record.query->bounds_b);
+    const test::QuadBox of_a(a, a.center), of_b(b, a.center);
+    double face = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k)
+      face = std::max({face, test::gap_along(of_a.axes[k], of_a, of_b),
+                       test::gap_along(of_b.axes[k], of_a, of_b)});
+    const double rounding =
+        static_cast<double>(std::numeric_limits<S>::epsilon()) * test::size_of_pair(a, b);
+    const trace::TestedAxis* widest = nullptr;
+    for (const trace::TestedAxis& axis : found.record.query->axes)
+      if (!axis.skipped && axis.gap == *found.answer.gap && !widest) widest = &axis;
+    ASSERT_NE(widest, nullptr) << i;
+    ASSERT_NEAR(*found.answer.gap, test::exact_gap(a, b), 64 * rounding) << i;
+    if (widest->is_of_edges()) {
+      ASSERT_GT(*found.answer.gap, face) << i;
+    } else {
+      ++faces;
+      ASSERT_NEAR(*found.answer.gap, face, 8 * rounding) << i;
+    }
+  }
+  EXPECT_GT(faces, cases / 2);
+}
+
+TEST(QueryBounds, AFaceWinsATieWithEdgesInDouble) { judge_ties_of_axes<double>(1000, 351); }
+TEST(QueryBounds, AFaceWinsATieWithEdgesInFloat) { judge_ties_of_axes<float>(1000, 352); }
+TEST(QueryBounds, SlowTiesWithEdges) {
+  judge_ties_of_axes<double>(test::cases(10'000), 353);
+  judge_ties_of_axes<float>(test::cases(10'000), 354);
 }
 
 TEST(QueryBounds, MeshesHaveBoundsAsWell) {

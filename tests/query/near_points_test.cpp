@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -113,6 +115,33 @@ TYPED_TEST(NearPoints, SlowDepthsAreWithin64RoundingsOfEveryAxis) {
     ++overlapping;
     ASSERT_NEAR(depths.by_sat, depths.right, depths.rounding);
     ASSERT_NEAR(depths.by_query, depths.right, depths.rounding);
+  }
+}
+
+// Coordinates in a file have seven digits or fewer: those of floats, or of somebody's hand. Faces that
+// such digits bend are one face, so depths are right within 64 roundings of seven digits.
+TEST(NearPointsOfSevenDigits, SlowDepthsAreWithin64RoundingsOfTheDigits) {
+  Random random(35);
+  const auto written = [](std::vector<Vec3d> points) {
+    for (Vec3d& point : points)
+      for (double& x : point) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.7g", x);
+        x = std::atof(text);
+      }
+    return points;
+  };
+  int overlapping = 0;
+  for (int i = 0; overlapping < test::cases(2'000); ++i) {
+    SCOPED_TRACE("pair " + std::to_string(i));
+    const std::vector<Vec3d> a = written(near_points(random)), b = written(near_points(random));
+    const Depths depths = depths_of<double>(a, b, {random.rotation(), random.vector(-4, 4)});
+    const double rounding =
+        depths.rounding / std::numeric_limits<double>::epsilon() * 0.5e-7;  // of the last digit
+    if (depths.right > -rounding) continue;
+    ++overlapping;
+    ASSERT_NEAR(depths.by_sat, depths.right, rounding);
+    ASSERT_NEAR(depths.by_query, depths.right, rounding);
   }
 }
 

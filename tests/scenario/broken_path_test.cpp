@@ -124,6 +124,21 @@ TEST(BrokenPath, ObjFileOfVerticesInALine) {
   EXPECT_THAT(load_complaint(path), StartsWith(path + ":4:8: cannot build a hull from 'file': "));
 }
 
+// Names of files end in capitals on other systems.
+TEST(BrokenPath, ObjFileInCapitalsIsRead) {
+  const TemporaryFolder folder;
+  const char* const tetrahedron =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  for (const char* name : {"cube.OBJ", "cube.Obj", "cube"}) {
+    folder.write(name, tetrahedron);
+    for (const char* type : {"hull", "mesh"}) {
+      const std::string path = folder.write(
+          "a.toml", one_shape("type = \"" + std::string(type) + "\"\nfile = \"" + name + "\""));
+      EXPECT_EQ(load_complaint(path), "no complaint") << name;
+    }
+  }
+}
+
 TEST(BrokenPath, ObjFileThatIsAFolder) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "rock.obj");

@@ -3,8 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include "reduce/brute_force.h"
 #include "scenario/broken.h"
 #include "scenario/run.h"
+#include "support/builders.h"
 #include "trace/json.h"
 
 namespace contactscope {
@@ -315,6 +317,66 @@ TEST(IdleKeys, AreReportedWithTheirLineAndTheRemedy) {
       warnings(mixed + "[[pairs]]\na = \"crate\"\nb = \"ball\"\n"
                        "breaking_distance = 0.1\n[[pairs]]\na = \"crate\"\nb = \"floor\"\n"),
       ElementsAre(::testing::StartsWith("line 16: 'breaking_distance' has no effect")));
+}
+
+/// A crate on a crate, turned by 40 degrees, on a floor.
+std::string turned_crates(const std::string& pipeline) {
+  const auto crate = [](const std::string& name, double y, const std::string& more) {
+    return "[shapes." + name +
+           "]\ntype = \"box\"\nhalf_extents = [0.5, 0.5, 0.5]\nposition = [0, " +
+           std::to_string(y) + ", 0]\nmotion = { dynamic = true, mass = 1 }\n" + more;
+  };
+  return "title = \"Turned\"\n[time]\nframes = 120\n"
+         "[shapes.floor]\ntype = \"plane\"\nnormal = [0, 1, 0]\noffset = 0\n" +
+         crate("lower", 0.5, "") +
+         crate("upper", 1.5, "rotation = { axis = [0, 1, 0], degrees = 40 }\n") + "[pipeline]\n" +
+         pipeline;
+}
+
+/// Corners of the octagon that two unit squares share if one is turned by 40 degrees.
+std::vector<test::Place> shared_octagon() {
+  std::vector<Eigen::Vector2d> normals;
+  for (const double turned : {0.0, 40.0})
+    for (int k = 0; k < 4; ++k) {
+      const double angle = test::kDegree * (turned + 90 * k);
+      normals.emplace_back(std::cos(angle), std::sin(angle));
+    }
+  std::vector<test::Place> corners;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      Eigen::Matrix2d sides;
+      sides << normals[i].transpose(), normals[j].transpose();
+      if (std::abs(sides.determinant()) < 0.1) continue;
+      const Eigen::Vector2d corner = sides.inverse() * Eigen::Vector2d(0.5, 0.5);
+      if (std::ranges::all_of(
+              normals, [&](const Eigen::Vector2d& n) { return n.dot(corner) < 0.5 + 1e-12; }))
+        corners.push_back({corner.x(), corner.y()});
+    }
+  }
+  return corners;
+}
+
+// All eight points are as deep as the others, so the four of the largest area are kept.
+TEST(TurnedCrates, RestOnFourPointsOfTheLargestArea) {
+  const std::vector<test::Place> octagon = shared_octagon();
+  ASSERT_EQ(octagon.size(), 8u);
+  const double largest = test::largest_area(octagon, 4);
+  for (const char* pipeline : {"", "reducer = \"optimal_deepest\"\n", "scalar = \"double\"\n"}) {
+    const Scenario scenario = parse_scenario(turned_crates(pipeline), "g/a.toml");
+    Runner runner(scenario);
+    for (int frame = 0; frame < 120; ++frame) {
+      const trace::Frame now = runner.frame(frame);
+      const auto pair = std::ranges::find_if(
+          now.pairs, [](const trace::Pair& one) { return one.a == "lower" && one.b == "upper"; });
+      ASSERT_NE(pair, now.pairs.end());
+      ASSERT_EQ(pair->manifolds.size(), 1u) << pipeline << frame;
+      std::vector<test::Place> kept;
+      for (const trace::Point& point : pair->manifolds[0].points)
+        kept.push_back({point.position.x(), point.position.z()});
+      ASSERT_EQ(kept.size(), 4u) << pipeline << frame;
+      EXPECT_NEAR(test::hull_area(kept), largest, 0.002 * largest) << pipeline << frame;
+    }
+  }
 }
 
 }  // namespace

@@ -198,17 +198,7 @@ constexpr Swatch kSkippedSwatch{LegendGroup::Axes, 7,
                                 [](auto& pen) { pen.open_arrow(1.5, kDropped); }};
 
 bool is_short(const trace::TestedAxis& axis) {
-  return axis.kind == "edges" && axis.length < kShort && !axis.direction.isZero(0);
-}
-
-/// Share of both boxes' reach by which the gap along a cross product must exceed the gap along a
-/// face: it may be the same axis with rounding.
-constexpr double kRounding = 16 * std::numeric_limits<float>::epsilon();
-
-bool is_larger(const trace::TestedAxis& axis, const trace::TestedAxis& than) {
-  const bool is_edge_over_face = axis.kind == "edges" && than.kind != "edges";
-  const double reach = axis.interval_b[1] - axis.interval_a[0];
-  return axis.gap > than.gap + (is_edge_over_face ? kRounding * reach : 0);
+  return axis.is_of_edges() && axis.length < kShort && !axis.direction.isZero(0);
 }
 
 /// The separating axis; otherwise the short cross product with the largest gap; otherwise the
@@ -218,7 +208,8 @@ const trace::TestedAxis* worth_a_look(const trace::Query& query) {
     const trace::TestedAxis* found = nullptr;
     for (const trace::TestedAxis& axis : query.axes)
       if (!axis.direction.isZero(0) && counts(axis) &&
-          (found == nullptr || is_larger(axis, *found)))
+          (found == nullptr ||
+           trace::separates_more(axis, *found, std::numeric_limits<float>::epsilon())))
         found = &axis;
     return found;
   };
@@ -249,7 +240,7 @@ void draw_tested_axes(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   const Vec3d middle = 0.5 * (end_a + end_b);
   if (!scene.camera.sees(middle)) return;  // the legend omits it too
   if (const trace::TestedAxis* axis = worth_a_look(query)) {
-    if (axis->kind == "edges") {
+    if (axis->is_of_edges()) {
       draw_edge(*query.bounds_a, axis->a, end_a, sketch);
       draw_edge(*query.bounds_b, axis->b, end_b, sketch);
       sketch.explain(kDecidingEdgesSwatch, "edges that make the axis", end_a);
