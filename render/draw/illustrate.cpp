@@ -22,7 +22,7 @@ constexpr double kAway = 22;    // pixels: minimum length of its leader
 
 constexpr std::array<bool Stages::*, 3> needs_of(Story story) {
   if (story == Story::ClipSteps) return {&Stages::clip};
-  if (story == Story::None) return {};
+  if (story == Story::None || story == Story::WalkSteps) return {};
   return {&Stages::gjk, &Stages::penetration};
 }
 

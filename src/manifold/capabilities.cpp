@@ -31,6 +31,8 @@ constexpr MethodRow kRows[kQueryMethods] = {
     {{true, true, false, true, false}, kOnePointSeparated},
     {{true, true, false, true, false}, kOnePointSeparated},
     {{true, true, false, true, false}, kOnePointSeparated},
+    {{true, false, true, false, false},
+     "V-Clip ends where the hulls overlap, without a depth; ask \"sat\" or \"epa\" for it"},
     {{true, false, false, false, false},
      "of two meshes the triangles that share a point are found, and neither a gap nor a depth; ask "
      "for the overlap of their triangles, query = \"overlap\""},
@@ -68,6 +70,11 @@ const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
     return one == ShapeKind::Mesh && other == ShapeKind::Mesh
                ? nullptr
                : "it compares the triangles of two meshes; ask \"contacts\"";
+  }
+  if (method == QueryMethod::VClip) {
+    return one == ShapeKind::Hull && other == ShapeKind::Hull
+               ? nullptr
+               : "it walks over the features of two hulls; ask \"gjk\" or \"contacts\"";
   }
   if (method == QueryMethod::Support) {
     return is_convex(one) && other == ShapeKind::Plane

@@ -37,14 +37,15 @@ enum class QueryMethod {
   Epa,             // by the expanding polytope
   Mpr,             // by Minkowski portal refinement
   Sampling,        // by random directions
+  VClip,           // v_clip() of two hulls
   Triangles,       // mesh_overlap() and mesh_containment()
   Contacts,        // collide(): the table of shape against shape
 };
-inline constexpr int kQueryMethods = 11;
+inline constexpr int kQueryMethods = 12;
 
 constexpr const char* to_string(QueryMethod method) {
-  constexpr const char* kNames[] = {"aabb", "obb", "sphere",   "support",   "gjk",     "sat",
-                                    "epa",  "mpr", "sampling", "triangles", "contacts"};
+  constexpr const char* kNames[] = {"aabb", "obb", "sphere",   "support", "gjk",       "sat",
+                                    "epa",  "mpr", "sampling", "v-clip",  "triangles", "contacts"};
   return kNames[static_cast<int>(method)];
 }
 

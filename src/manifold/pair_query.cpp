@@ -52,7 +52,7 @@ void record_gap(const Gap& gap, const Pose<double>& pose_a, trace::Pair* record)
 /// Two convex shapes, or a convex shape and a plane.
 template <class S>
 Answer<S> query_solids(const PlacedPair<S>& pair, const Question& question, trace::Pair* record,
-                       const trace::Stages& stages, GjkSimplex<double>* simplex) {
+                       const trace::Stages& stages, QueryMemory* memory) {
   const Shape<double>&wide_a = wide(pair.a), &wide_b = wide(pair.b);
   const PlacedCore core_a = core_of(wide_a, wide(pair.pose_a));
   const Pose<double> pose_b = wide(pair.pose_b);
@@ -63,7 +63,7 @@ Answer<S> query_solids(const PlacedPair<S>& pair, const Question& question, trac
     std::optional<Recorder<double>> recorder;
     if (record) recorder.emplace(ToWorld<double>(core_a.given), stages, *record);
     gap = gap_of_cores(core_a, core_of(wide_b, pose_b), question, kEpsilon<S>,
-                       recorder ? &*recorder : nullptr, simplex);
+                       recorder ? &*recorder : nullptr, memory);
   }
   record_gap(gap, core_a.given, record);
   return answer_of<S>(gap, question);
@@ -154,7 +154,7 @@ Answer<S> query_any_shapes(const QueriedShape<S>& a, const QueriedShape<S>& b,
     return query_meshes(*mesh, a.pose, std::get<Mesh<S>>(b.shape), b.pose, question,
                         stages.query ? record : nullptr, stages, memory ? &memory->front : nullptr);
   if (kind_of(b.shape) == ShapeKind::Mesh) return query_mesh(pair, question, record, stages);
-  return query_solids(pair, question, record, stages, memory ? &memory->simplex : nullptr);
+  return query_solids(pair, question, record, stages, memory);
 }
 
 /// The shapes' own answer, next to a query of their bounds.

@@ -9,12 +9,12 @@
 #include "query/gjk.h"
 #include "query/mesh_overlap.h"
 #include "query/overlap.h"
+#include "query/v_clip.h"
 
 /// Queries of two shapes other than their manifold: overlap, touching, distance or depth, of the
 /// shapes themselves or of their bounds.
 namespace contactscope {
 
-/// A query and how its answer is compared. Lengths in metres.
 /// Whether shapes that only touch overlap.
 enum class QueryComparison {
   Exclusive,  // they do not
@@ -27,6 +27,14 @@ constexpr const char* to_string(QueryComparison comparison) {
   return kNames[static_cast<int>(comparison)];
 }
 
+/// How the distance of two hulls is found.
+enum class DistanceMethod { Gjk, VClip };
+
+constexpr const char* to_string(DistanceMethod method) {
+  return method == DistanceMethod::Gjk ? "gjk" : "v_clip";
+}
+
+/// A query and how its answer is compared. Lengths in metres.
 struct Question {
   QueryKind kind = QueryKind::Manifold;
   /// Aabb, Obb or BoundingSphere: query these bounds; empty: query the shapes themselves.
@@ -36,6 +44,7 @@ struct Question {
       0;  // for inclusive Overlap and for Touching: separations up to this count as zero
   ObbTest<double> test{};                                  // for oriented boxes
   PenetrationMethod penetration = PenetrationMethod::Sat;  // for convex shapes, one of them a hull
+  DistanceMethod distance = DistanceMethod::Gjk;           // for two hulls
 
   bool inclusive() const { return comparison == QueryComparison::Inclusive; }
   friend bool operator==(const Question&, const Question&) = default;
@@ -82,13 +91,14 @@ template <class S> struct QueriedShape {
 
 /// Where the last query of a pair ended.
 struct QueryMemory {
-  MeshFront front;             // of two meshes, see mesh_overlap()
-  GjkSimplex<double> simplex;  // of two cores, see gjk()
+  MeshFront front;                        // of two meshes, see mesh_overlap()
+  GjkSimplex<double> simplex;             // of two cores, see gjk()
+  std::optional<FeaturePair> features{};  // of two hulls, see v_clip()
 };
 
 /// Answers a query that refusal() accepts and whose kind is not Manifold.
 ///
-/// Convex shapes: GJK of the cores less the radii; where the cores overlap and the depth matters,
+/// Convex shapes: GJK of the cores less the radii, or V-Clip of two hulls that are apart; where the cores overlap and the depth matters,
 /// the query's penetration method. Convex shape and plane: the farthest point along the plane's
 /// normal. Convex shape and mesh: contacts of the mesh's triangles, which are a surface, so a shape
 /// wholly inside a closed mesh does not touch it. Two meshes: triangles that share a point; if

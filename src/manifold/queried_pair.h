@@ -65,11 +65,10 @@ double rounding_along(const Vec3d& normal, const Pose<double>& pose, const Vec3d
 double bound_of_rounding(double lengths, Epsilon epsilon);
 
 /// Two convex shapes: GJK and, where the cores overlap, the separating axis test or the query's
-/// penetration method. `recorder` is of double. GJK starts with `simplex`, unless null, and leaves
-/// its last one there.
+/// penetration method. `recorder` is of double. GJK and V-Clip start where `memory` says, unless it
+/// is null, and leave their end there.
 Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& question,
-                 Epsilon epsilon, Recorder<double>* recorder,
-                 GjkSimplex<double>* simplex = nullptr);
+                 Epsilon epsilon, Recorder<double>* recorder, QueryMemory* memory = nullptr);
 
 Gap gap_to_plane(const PlacedCore& a, const HalfSpace<double>& b, const Pose<double>& pose_b,
                  Epsilon epsilon);

@@ -33,6 +33,8 @@ bool needs_depth(const Question& question, double radii, double rounding) {
   return compares && radii <= question.tolerance + rounding;
 }
 
+bool has_features(const PlacedCore& core) { return core.has_volume() && !core.set.hull->flat(); }
+
 constexpr QueryMethod query_method(PenetrationMethod method) {
   return static_cast<QueryMethod>(static_cast<int>(QueryMethod::Sat) + static_cast<int>(method));
 }
@@ -139,14 +141,11 @@ double bound_of_rounding(double lengths, Epsilon epsilon) {
 }
 
 Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& question,
-                 Epsilon epsilon, Recorder<double>* recorder, GjkSimplex<double>* simplex) {
+                 Epsilon epsilon, Recorder<double>* recorder, QueryMemory* memory) {
   const Pose<double> pose_a = a.pose(), b_in_a = relative_pose(pose_a, b.pose());
   const double radii = a.radius + b.radius;
   const double computed =
       rounding_of_double(reach_of(a.set) + reach_of(b.set) + b_in_a.position.norm() + radii);
-  const GjkResult<double> cores = gjk<double>(a.set, b.set, b_in_a, simplex, gjk_run(recorder));
-  if (simplex) *simplex = cores.simplex;
-  if (recorder) recorder->gjk(Pose<double>());
   Gap found;
   const auto from_cores = [&](double distance, const Vec3d& normal, const Vec3d& on_a,
                               const Vec3d& on_b) {
@@ -158,6 +157,24 @@ Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& quest
     found.on_a = on_a + a.radius * normal;
     found.on_b = on_b - b.radius * normal;
   };
+  if (question.distance == DistanceMethod::VClip && has_features(a) && has_features(b)) {
+    const FeaturePair* const start = memory && memory->features ? &*memory->features : nullptr;
+    std::vector<FeaturePair> walk;
+    const VClipResult<double> walked =
+        v_clip(*a.set.hull, *b.set.hull, b_in_a, start, recorder ? &walk : nullptr);
+    if (memory) memory->features = walked.features;
+    if (recorder) recorder->walk(*a.set.hull, *b.set.hull, b_in_a, walk);
+    if (walked.status == VClipStatus::Separated && walked.distance > computed) {
+      from_cores(walked.distance, (walked.on_b - walked.on_a).normalized(), walked.on_a,
+                 walked.on_b);
+      found.method = QueryMethod::VClip;
+      return found;
+    }
+  }
+  GjkSimplex<double>* const simplex = memory ? &memory->simplex : nullptr;
+  const GjkResult<double> cores = gjk<double>(a.set, b.set, b_in_a, simplex, gjk_run(recorder));
+  if (simplex) *simplex = cores.simplex;
+  if (recorder) recorder->gjk(Pose<double>());
   const bool any_volume = a.has_volume() || b.has_volume();
   const double bound = bound_of_rounding(reach_of(a) + reach_of(b), epsilon);
   if (any_volume && may_overlap(cores, a.set, b.set, b_in_a) &&

@@ -328,6 +328,19 @@ template <class S> void Recorder<S>::gjk(const Pose<S>& frame) {
 }
 
 template <class S>
+void Recorder<S>::walk(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+                       const std::vector<FeaturePair>& pairs) {
+  for (const auto& [of_a, of_b] : pairs) {
+    const std::vector<Vec3<S>> points_a = corners_of(a, of_a), points_b = corners_of(b, of_b);
+    const SupportSet<S> set_a{points_a.data(), count_of(points_a), nullptr};
+    const SupportSet<S> set_b{points_b.data(), count_of(points_b), nullptr};
+    pair_.query->walk.push_back(
+        {to_string(FeatureId::of(of_a.ref(Owner::A), of_b.ref(Owner::B))),
+         static_cast<double>(contactscope::gjk(set_a, set_b, b_in_a).distance)});
+  }
+}
+
+template <class S>
 std::vector<int> Recorder<S>::query_tree(const Mesh<S>& mesh, const Aabb<S>& box) {
   trace::Tree tree = mesh.tree.recorded_query(box);
   tree.shape = pair_.b;

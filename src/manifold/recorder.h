@@ -12,6 +12,7 @@
 #include "query/gjk.h"
 #include "query/penetration.h"
 #include "query/sat.h"
+#include "query/v_clip.h"
 #include "trace/trace.h"
 
 namespace contactscope {
@@ -93,6 +94,9 @@ template <class S> class Recorder {
   GjkRun<S>* gjk_run() { return stages_.gjk ? &gjk_run_ : nullptr; }
   /// Writes the run from gjk_run(), if any. `frame` is the pose of its frame in A's.
   void gjk(const Pose<S>& frame);
+  /// The pairs of features that V-Clip compared.
+  void walk(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
+            const std::vector<FeaturePair>& pairs);
   /// Record of a penetration method's steps; null if they are not recorded.
   PenetrationSteps<S>* penetration_steps() {
     return stages_.penetration ? &penetration_steps_ : nullptr;

@@ -20,6 +20,17 @@ struct HullFeature {
   }
 };
 
+/// The corners of a feature, in the order of around_face. Hull's frame.
+template <class S>
+std::vector<Vec3<S>> corners_of(const Hull<S>& hull, const HullFeature& feature) {
+  if (feature.kind == FeatureKind::Vertex) return {at(hull.vertices, feature.index)};
+  if (feature.kind == FeatureKind::Edge)
+    return {hull.origin(feature.index), hull.target(feature.index)};
+  std::vector<Vec3<S>> corners;
+  for (const int edge : hull.around_face(feature.index)) corners.push_back(hull.origin(edge));
+  return corners;
+}
+
 /// The smallest feature that contains all points of B in a GJK simplex, where B is `hull`: the
 /// feature of its closest point. Two vertices of a face that share no edge belong to the face. If
 /// rounding at nearly coplanar faces leaves no such feature, the result is a face with index -1.

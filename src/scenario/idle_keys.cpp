@@ -54,6 +54,11 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
                ? ""
                : "only a query of two meshes, or of two convex shapes, without bounds has a start "
                  "to choose; set query = \"overlap\", or remove it";
+  if (key == "distance")
+    return hull_a && hull_b && question.kind != QueryKind::Manifold && !question.bounds
+               ? ""
+               : "only a query of two hulls (boxes, hulls, cylinders, cones), without bounds, can "
+                 "walk over their features; set query = \"distance\", or remove it";
   if (std::ranges::find(kQuestionKeys, key) != std::end(kQuestionKeys))
     return idle_question(key, question);
   if (question.kind != QueryKind::Manifold) {
@@ -92,6 +97,7 @@ void report_pair_keys(const Value& table, std::span<const ScenarioPair> pairs,
       report(table, key, reason(pairs[0]), sentences);
   };
   report_where_idle("penetration");
+  report_where_idle("distance");
   report_where_idle("traversal");
   std::ranges::for_each(kContactKeys, report_where_idle);
   std::ranges::for_each(kQuestionKeys, report_where_idle);

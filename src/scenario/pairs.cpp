@@ -93,6 +93,7 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("preference", settings.preference);
   table.read("penetration", settings.penetration);
   settings.question.penetration = settings.penetration;
+  table.read("distance", settings.question.distance);
   read_question(table, settings.question);
   table.read("continuous", settings.continuous, [](const Value& value) {
     const int word = value.word();  // the first is "discrete"

@@ -88,6 +88,7 @@ std::vector<Setting> settings_of(const PipelineSettings& settings) {
   if (!settings.internal_edges) keys.emplace_back("internal_edges", "false");
   const Question& requested = settings.question;
   word("query", requested.kind, usual.question.kind);
+  word("distance", requested.distance, usual.question.distance);
   if (requested.bounds) keys.emplace_back("bounds", quoted(to_string(*requested.bounds)));
   word("comparison", requested.comparison, usual.question.comparison);
   if (requested.tolerance > 0) keys.emplace_back("tolerance", spell(requested.tolerance));

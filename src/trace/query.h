@@ -143,6 +143,18 @@ struct Intersection {
   friend bool operator==(const Intersection&, const Intersection&) = default;
 };
 
+/// Two features of hulls that V-Clip compared.
+struct WalkStep {
+  std::string features;  // "a:v0 b:e3"
+  double distance = 0;   // metres between them
+
+  static constexpr auto fields() {
+    return field::list(field::exact<&WalkStep::features>.mirror(Mirrored::IdFlipped),
+                       field::length<&WalkStep::distance>);
+  }
+  friend bool operator==(const WalkStep&, const WalkStep&) = default;
+};
+
 struct Query {
   std::string requested;   // "overlap", "touching", "distance", "penetration"
   std::string bounds;      // queried bounds: "aabb", "obb", "sphere"; empty: the shapes themselves
@@ -155,6 +167,7 @@ struct Query {
   /// Metres between the two, negative: penetration. For bounds the largest gap of an axis, unless
   /// the distance was queried. Missing if the method does not compute it.
   std::optional<double> gap{};
+  std::vector<WalkStep> walk{};    // of V-Clip, in order; the last features are closest
   std::optional<Vec3d> normal{};   // unit, from a to b
   std::optional<Vec3d> point_a{};  // closest, or deepest, points
   std::optional<Vec3d> point_b{};
@@ -173,7 +186,9 @@ struct Query {
         field::exact<&Q::comparison>.optional(), field::exact<&Q::tolerance>.where_set(),
         field::exact<&Q::test>.where_set(), field::exact<&Q::skip_up_to>.where_set(),
         field::exact<&Q::method>.optional(), field::exact<&Q::touching>.says("touching"),
-        field::length<&Q::gap>, field::direction_to_b<&Q::normal>,
+        field::length<&Q::gap>,
+        field::facts<&Q::walk>.where_set().entries("step of V-Clip", "steps"),
+        field::direction_to_b<&Q::normal>,
         field::position<&Q::point_a>.swaps(&Q::point_b).says("point on a"),
         field::position<&Q::point_b>.says("point on b"),
         field::fact<&Q::bounds_a>.swaps(&Q::bounds_b).called("bounds of a"),

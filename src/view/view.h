@@ -23,6 +23,7 @@ enum class Story {
   ClipSteps,  // frame k shows the first k side planes and what they cut
   GjkSteps,   // frame k shows the simplex of GJK after step k
   EpaSteps,   // frame k shows the polytope of EPA after k expansions
+  WalkSteps,  // frame k shows the k-th pair of features that V-Clip compares
 };
 
 /// Target of the automatic camera.

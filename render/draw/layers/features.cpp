@@ -84,7 +84,7 @@ void draw_feature(const TouchingFeature& feature, const std::string& words, Sket
 
 void draw_crossed_edges(const Scene& scene, const trace::Pair& pair,
                         const trace::Manifold& manifold, Sketch& sketch) {
-  for (const PairEdge& edge : edges_in(manifold.points.front().id)) {
+  for (const PairFeature& edge : edges_in(manifold.points.front().id)) {
     const auto ends = scene.edge(edge.of_a ? pair.a : pair.b, edge.index);
     if (!ends) continue;
     sketch.line((*ends)[0], (*ends)[1], {6.0f, kAxis});
@@ -92,7 +92,36 @@ void draw_crossed_edges(const Scene& scene, const trace::Pair& pair,
   }
 }
 
+/// A feature of a hull, at its border: a ring, a line or a polygon.
+void draw_hull_feature(const Scene& scene, const trace::Pair& pair, const PairFeature& feature,
+                       float width, Color color, Sketch& sketch) {
+  const PlacedShape* shape = scene.find(feature.of_a ? pair.a : pair.b);
+  if (shape == nullptr) return;
+  if (feature.kind == 'v') {
+    sketch.mark(MarkKind::WideRing, shape->vertex(feature.index), color);
+  } else if (const auto ends = shape->edge(feature.index); feature.kind == 'e' && ends) {
+    sketch.line((*ends)[0], (*ends)[1], {width, color});
+  } else if (feature.kind == 'f') {
+    sketch.face(shape->polygon(feature.index), with_alpha(color, 0.3f), {0.7f * width, color});
+  }
+}
+
+/// The features that V-Clip compares in this frame, and those before it, numbered.
+void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const std::vector<trace::WalkStep>& walk = pair.query->walk;
+  const int last = count_of(walk) - 1;
+  const bool story = scene.view.story == Story::WalkSteps;
+  const int shown = story ? std::clamp(scene.frame.frame, 0, last) : last;
+  for (int k = 0; k <= shown; ++k)
+    for (const PairFeature& feature : features_in(at(walk, k).features))
+      draw_hull_feature(scene, pair, feature, k < shown ? 2.5f : 6,
+                        k < shown ? kDropped : kIncidentFace, sketch);
+  sketch.explain(kTouchingFeatureSwatch,
+                 shown < last ? "features that are compared" : "closest features");
+}
+
 void draw_features(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (pair.query && !pair.query->walk.empty()) draw_walk(scene, pair, sketch);
   for (const trace::Manifold& manifold : pair.manifolds) {
     if (manifold.points.empty()) continue;
     if (manifold.axis == "edge_edge" || manifold.type == "edge-edge")

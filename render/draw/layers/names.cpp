@@ -74,10 +74,10 @@ std::string features_of(std::string_view id) {
 }
 
 /// Mean of the points on an edge; nothing for fewer than two.
-std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairEdge& edge) {
+std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairFeature& edge) {
   std::vector<Vec3d> on_edge;
   for (const PairPoint& any : all_points(pair)) {
-    const std::vector<PairEdge> edges = edges_in(any.point->id);
+    const std::vector<PairFeature> edges = edges_in(any.point->id);
     if (std::ranges::find(edges, edge) != edges.end()) on_edge.push_back(any.point->position);
   }
   if (on_edge.size() < 2) return std::nullopt;
@@ -89,18 +89,19 @@ std::optional<Vec3d> middle_of(const trace::Pair& pair, const PairEdge& edge) {
 void draw_ids(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   for (const PairPoint& kept : kept_points(pair))
     sketch.label(kept.point->position, features_of(kept.point->id), kText, 18, 12);
-  std::vector<PairEdge> edges;
+  std::vector<PairFeature> edges;
   for (const PairPoint& any : all_points(pair)) {
-    for (const PairEdge& edge : edges_in(any.point->id))
+    for (const PairFeature& edge : edges_in(any.point->id))
       if (std::ranges::find(edges, edge) == edges.end()) edges.push_back(edge);
   }
   if (edges.size() > kMaxEdgeNames) return;
-  for (const auto& [of_a, index] : edges) {
+  for (const PairFeature& edge : edges) {
+    const auto& [of_a, index, kind] = edge;
     const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
     if (shape == nullptr || shape->is_mesh()) continue;
     const auto ends = shape->edge(index);
     if (!ends || shape->traced().radius > 0) continue;
-    sketch.label(middle_of(pair, {of_a, index}).value_or(0.5 * ((*ends)[0] + (*ends)[1])),
+    sketch.label(middle_of(pair, edge).value_or(0.5 * ((*ends)[0] + (*ends)[1])),
                  (of_a ? "edge A" : "edge B") + std::to_string(index), of_a ? kArcOfA : kArcOfB, 16,
                  5);
   }

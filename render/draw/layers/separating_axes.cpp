@@ -120,7 +120,7 @@ void draw_axes(const Scene& scene, const trace::Pair& pair, bool all, Sketch& sk
 
 /// The two edges of an edge contact. With a separating axis test they are the test's edges, if the
 /// Gauss map is recorded, which names them. Otherwise the edges in the point's id.
-std::vector<PairEdge> deciding_edges(const trace::Pair& pair) {
+std::vector<PairFeature> deciding_edges(const trace::Pair& pair) {
   if (pair.sat) {
     if (pair.sat->chosen != "edge_edge" || !pair.sat->edge || pair.sat->edge_pairs.empty())
       return {};
@@ -132,10 +132,10 @@ std::vector<PairEdge> deciding_edges(const trace::Pair& pair) {
 }
 
 void draw_deciding_edges(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::vector<PairEdge> edges = deciding_edges(pair);
+  const std::vector<PairFeature> edges = deciding_edges(pair);
   if (edges.size() != 2 || edges[0].of_a == edges[1].of_a) return;
   sketch.explain(kDecidingEdgesSwatch, "edges that make the axis");
-  for (const auto& [of_a, edge] : edges) {
+  for (const auto& [of_a, edge, kind] : edges) {
     const auto ends = scene.edge(of_a ? pair.a : pair.b, edge);
     if (!ends) continue;
     const auto& [from, to] = *ends;

@@ -76,6 +76,8 @@ int recorded_steps(const std::vector<trace::Frame>& frames, Story story) {
       if (story == Story::ClipSteps) {
         // The step after the side planes drops points above the reference face.
         if (pair.clip) most = std::max(most, count_of(pair.clip->steps) + 1);
+      } else if (story == Story::WalkSteps) {
+        if (pair.query) most = std::max(most, count_of(pair.query->walk) - 1);
       } else if (const auto step = simplex_step(view, frame, pair)) {
         most = std::max(most, step->steps);
       }

@@ -150,17 +150,23 @@ std::optional<Vec3d> usual_normal(const trace::Frame& frame) {
   return std::nullopt;
 }
 
-std::vector<PairEdge> edges_in(std::string_view id) {
-  std::vector<PairEdge> edges;
+std::vector<PairFeature> features_in(std::string_view id) {
+  std::vector<PairFeature> features;
   while (!id.empty()) {
     const std::string_view word = id.substr(0, id.find(' '));
     id.remove_prefix(std::min(word.size() + 1, id.size()));
-    if (word.size() < 4 || word.substr(1, 2) != ":e") continue;
+    if (word.size() < 4 || word[1] != ':') continue;
     int index = -1;
     const auto parsed = std::from_chars(word.data() + 3, word.data() + word.size(), index);
     if (parsed.ec == std::errc() && parsed.ptr == word.data() + word.size())
-      edges.push_back({word[0] == 'a', index});
+      features.push_back({word[0] == 'a', index, word[2]});
   }
+  return features;
+}
+
+std::vector<PairFeature> edges_in(std::string_view id) {
+  std::vector<PairFeature> edges = features_in(id);
+  std::erase_if(edges, [](const PairFeature& feature) { return feature.kind != 'e'; });
   return edges;
 }
 

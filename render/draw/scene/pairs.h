@@ -65,15 +65,19 @@ inline bool is_like(const Vec3d& normal, const Vec3d& other) { return normal.dot
 /// differ from it. Nothing if all agree, or if no normal is shared by more than half of them.
 std::optional<Vec3d> usual_normal(const trace::Frame& frame);
 
-struct PairEdge {
+struct PairFeature {
   bool of_a = false;
   int index = 0;
+  char kind = 'e';  // or 'v', 'f'
 
-  bool operator==(const PairEdge&) const = default;
+  bool operator==(const PairFeature&) const = default;
 };
 
-/// The edges in an id such as "a:e3 b:e7".
-std::vector<PairEdge> edges_in(std::string_view id);
+/// The features in an id such as "a:v0 b:e7".
+std::vector<PairFeature> features_in(std::string_view id);
+
+/// The edges among them.
+std::vector<PairFeature> edges_in(std::string_view id);
 
 /// The first pair of a frame that satisfies a predicate; nullptr if there is none.
 const trace::Pair* first_pair(const trace::Frame& frame, bool (*holds)(const trace::Pair&));
