@@ -54,7 +54,7 @@ class GlyphAtlas {
   std::map<GlyphKey, GlyphPlace> places_;
 };
 
-/// A triangle corner; shaders.h documents `line`, `form` and `run` for each program.
+/// A triangle corner; shaders/*.glsl document `line`, `form` and `run` for each program.
 struct Vertex {
   float position[2];
   float line[4];
