@@ -1,5 +1,7 @@
 #include "view/words.h"
 
+#include <algorithm>
+
 namespace contactscope {
 
 /// words.txt, embedded by the build.
