@@ -1,7 +1,4 @@
-#include <algorithm>
-#include <array>
 #include <ranges>
-#include <set>
 
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"

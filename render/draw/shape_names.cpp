@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string_view>
-
 #include "core/convex_polygon.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"

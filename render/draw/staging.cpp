@@ -1,11 +1,5 @@
 #include "draw/staging.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
-#include <numbers>
-
 #include "core/at.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/home_region.h"

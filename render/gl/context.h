@@ -1,10 +1,6 @@
 #pragma once
 
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
+#include "core/standard.h"
 #include "gl/functions.h"
 
 namespace contactscope::gl {

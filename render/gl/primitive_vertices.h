@@ -1,11 +1,6 @@
 #pragma once
 
-#include <array>
 #include <compare>
-#include <cstdint>
-#include <map>
-#include <span>
-#include <vector>
 
 #include "draw/scene/drawing.h"
 #include "image/font.h"

@@ -1,11 +1,6 @@
 #include "gl/rasterizer.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <cstring>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 
 namespace contactscope::gl {
 

@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <utility>
-
 #include "draw/scene/camera.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/palette.h"

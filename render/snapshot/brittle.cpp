@@ -1,8 +1,5 @@
 #include "snapshot/brittle.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "snapshot/compare_facts.h"
 #include "snapshot/spelling.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "trace/decision.h"
 #include "trace/trace.h"
 #include "view/view.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "snapshot/brittle.h"
 #include "snapshot/compare_facts.h"
 #include "snapshot/stage.h"

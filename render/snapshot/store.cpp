@@ -1,12 +1,7 @@
 #include "snapshot/store.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <fstream>
-#include <iterator>
-#include <set>
 #include <sstream>
-#include <stdexcept>
 
 #include "core/input_file.h"
 #include "core/spell.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "continuous/motion_bounds.h"
 #include "core/plane.h"
 #include "query/support_set.h"

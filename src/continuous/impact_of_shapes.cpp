@@ -1,9 +1,5 @@
 #include "continuous/impact_of_shapes.h"
 
-#include <algorithm>
-#include <type_traits>
-#include <utility>
-
 #include "continuous/approach.h"
 #include "continuous/impact_with_mesh.h"
 #include "continuous/motion_bounds.h"

@@ -1,12 +1,6 @@
 #include "continuous/impact_with_mesh.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "broadphase/broad_phase.h"
 #include "continuous/approach.h"

@@ -1,8 +1,5 @@
 #include "continuous/motion_bounds.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "broadphase/broad_phase.h"
 #include "core/instantiate.h"
 

@@ -1,7 +1,5 @@
 #include "continuous/moving_features.h"
 
-#include <optional>
-
 #include "continuous/moving_polygon.h"
 #include "core/instantiate.h"
 

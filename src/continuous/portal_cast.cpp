@@ -1,10 +1,5 @@
 #include "continuous/portal_cast.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "core/at.h"
 #include "geometry/lanes.h"
 #include "query/minkowski_difference.h"

@@ -1,10 +1,7 @@
 #include "core/input_file.h"
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "core/input_error.h"
 

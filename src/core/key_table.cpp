@@ -1,12 +1,8 @@
 #include "core/key_table.h"
 
-#include <algorithm>
 #include <charconv>
-#include <limits>
-#include <optional>
 #include <regex>
 #include <sstream>
-#include <utility>
 
 namespace contactscope {
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
+#include "core/standard.h"
 
 namespace contactscope {
 

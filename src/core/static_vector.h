@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cassert>
-#include <cstddef>
-#include <memory>
-#include <type_traits>
+
+#include "core/standard.h"
 
 namespace contactscope {
 

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "core/standard.h"
+
 #ifdef EIGEN_VECTORIZE_NEON
 // Eigen sums three floats as a + (b + c), but as (a + b) + c where it has packets of two, which
 // rounds differently. Skip those packets, so that arm64 gives the bits of other processors.

@@ -1,11 +1,5 @@
 #include "dynamics/continuous_step.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <memory>
-#include <tuple>
-
 #include "broadphase/broad_phase.h"
 #include "continuous/motion_bounds.h"
 #include "core/at.h"

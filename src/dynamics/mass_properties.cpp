@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include <Eigen/Eigenvalues>
 
 #include "dynamics/body.h"

@@ -1,9 +1,5 @@
 #include "geometry/bounds.h"
 
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <iterator>
-#include <vector>
-
 #include "core/at.h"
 #include "core/plane.h"
 #include "core/vec3.h"

@@ -1,11 +1,5 @@
 #include "geometry/mesh_seams.h"
 
-#include <algorithm>
-#include <array>
-#include <iterator>
-#include <utility>
-#include <variant>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "core/instantiate.h"

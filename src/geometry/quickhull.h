@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <span>
-#include <vector>
-
 #include "core/at.h"
 #include "core/plane.h"
 #include "core/vec3.h"

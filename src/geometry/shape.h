@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <variant>
-
 #include "core/plane.h"
 #include "geometry/hull.h"
 #include "geometry/mesh.h"

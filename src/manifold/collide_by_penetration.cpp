@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "manifold/collide_pairs.h"
 #include "manifold/create_contact.h"
 #include "query/fast/face_bounds.h"

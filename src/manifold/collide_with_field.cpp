@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include "manifold/collide_pairs.h"
 #include "manifold/field_contact.h"
 #include "manifold/in_double.h"

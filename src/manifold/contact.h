@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "core/manifold.h"
 #include "core/plane.h"
 #include "core/pose.h"

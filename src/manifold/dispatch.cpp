@@ -1,7 +1,5 @@
 #include "manifold/dispatch.h"
 
-#include <algorithm>
-
 #include "geometry/prefetch.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/fast/collide_box_box.h"

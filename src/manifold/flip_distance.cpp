@@ -1,11 +1,6 @@
 #include "manifold/flip_distance.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <random>
-#include <vector>
 
 #include "core/random.h"
 #include "geometry/bounds.h"

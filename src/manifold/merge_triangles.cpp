@@ -1,12 +1,5 @@
 #include "manifold/merge_triangles.h"
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <tuple>
-
 #include "core/convex_polygon.h"
 #include "core/instantiate.h"
 #include "core/scratch.h"

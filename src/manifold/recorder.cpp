@@ -1,8 +1,5 @@
 #include "manifold/recorder.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "geometry/hull_builder.h"

@@ -1,8 +1,5 @@
 #include "query/capsule_sat.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "geometry/lanes.h"

@@ -1,8 +1,5 @@
 #include "query/polytope.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace contactscope {
 namespace {
 

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "query/sat.h"
 #include "query/support_set.h"
 

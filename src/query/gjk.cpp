@@ -1,9 +1,5 @@
 #include "query/gjk.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 #include "query/penetration_bounds.h"
 #include "query/simplex.h"

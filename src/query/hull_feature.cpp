@@ -1,7 +1,5 @@
 #include "query/hull_feature.h"
 
-#include <algorithm>
-
 #include "core/instantiate.h"
 #include "core/static_vector.h"
 

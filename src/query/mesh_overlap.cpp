@@ -1,9 +1,5 @@
 #include "query/mesh_overlap.h"
 
-#include <algorithm>
-#include <type_traits>
-#include <utility>
-
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "core/pack.h"

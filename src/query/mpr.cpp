@@ -1,9 +1,5 @@
 #include "query/penetration_bounds.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "core/at.h"
 
 namespace contactscope {

@@ -1,7 +1,5 @@
 #include "query/penetration.h"
 
-#include <algorithm>
-
 #include "core/instantiate.h"
 #include "query/capsule_sat.h"
 #include "query/closest_points.h"

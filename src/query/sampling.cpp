@@ -1,9 +1,6 @@
 #include "core/instantiate.h"
 #include "query/penetration_bounds.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace contactscope {
 namespace {
 

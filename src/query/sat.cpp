@@ -1,7 +1,5 @@
 #include "query/sat.h"
 
-#include <algorithm>
-
 #include "query/fast/face_bounds.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"

@@ -1,9 +1,5 @@
 #include "query/simplex.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 #include "query/tolerance.h"
 

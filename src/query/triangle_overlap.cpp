@@ -1,7 +1,5 @@
 #include "query/triangle_overlap.h"
 
-#include <algorithm>
-
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "core/static_vector.h"

@@ -1,7 +1,5 @@
 #include "query/winding.h"
 
-#include <limits>
-
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "geometry/predicates.h"

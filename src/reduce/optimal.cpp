@@ -1,8 +1,5 @@
 #include "reduce/optimal_ring.h"
 
-#include <bit>
-#include <limits>
-
 #include "core/at.h"
 #include "core/instantiate.h"
 #include "core/scratch.h"

@@ -1,9 +1,5 @@
 #include "reduce/reducer.h"
 
-#include <algorithm>
-#include <iterator>
-#include <type_traits>
-
 #include "reduce/steps.h"
 
 namespace contactscope {

@@ -1,10 +1,8 @@
 #include "scenario/scenario.h"
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 #include <system_error>
 
 #include "core/input_file.h"

@@ -1,10 +1,6 @@
 #include "trace/point_names.h"
 
-#include <algorithm>
-#include <limits>
-#include <string_view>
 #include <unordered_map>
-#include <vector>
 
 #include "core/at.h"
 #include "core/feature_id.h"

@@ -1,7 +1,5 @@
 #include "view/words.h"
 
-#include <algorithm>
-
 namespace contactscope {
 
 /// words.txt, embedded by the build.

@@ -1,9 +1,5 @@
 #include "draw/charts/plot.h"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "draw/scene/layout.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/palette.h"

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <set>
-#include <string_view>
-
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/pair_words.h"

@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <tuple>
-
 #include "core/at.h"
 #include "core/plane.h"
 #include "draw/layers/layer.h"

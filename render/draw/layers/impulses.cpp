@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"

@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <numeric>
-
 #include "core/at.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pair_words.h"

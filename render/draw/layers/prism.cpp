@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"

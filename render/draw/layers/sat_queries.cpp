@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/pair_words.h"

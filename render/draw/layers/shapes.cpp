@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <span>
-
 #include "core/at.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <vector>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"

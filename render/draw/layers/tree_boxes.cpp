@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"

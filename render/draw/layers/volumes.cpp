@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "draw/panels/panel.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"

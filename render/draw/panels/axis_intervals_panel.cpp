@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
-
 #include "draw/panels/panel.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cstdint>
-
 #include "draw/panels/panel.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/quantity.h"

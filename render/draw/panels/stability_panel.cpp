@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string_view>
-
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"

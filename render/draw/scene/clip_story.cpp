@@ -1,8 +1,5 @@
 #include "draw/scene/clip_story.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "core/plane.h"
 #include "draw/scene/pairs.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "draw/scene/ghost.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"

@@ -1,10 +1,6 @@
 #include "draw/scene/visibility.h"
 
-#include <algorithm>
-#include <cmath>
 #include <deque>
-#include <functional>
-#include <span>
 
 #include "core/at.h"
 #include "core/plane.h"

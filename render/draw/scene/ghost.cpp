@@ -1,7 +1,5 @@
 #include "draw/scene/ghost.h"
 
-#include <algorithm>
-
 namespace contactscope::draw {
 
 PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& offset, const Vec3d& turn) {

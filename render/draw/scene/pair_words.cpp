@@ -1,11 +1,5 @@
 #include "draw/scene/pair_words.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <tuple>
-#include <utility>
-
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {

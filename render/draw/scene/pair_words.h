@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "draw/scene/drawing.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"

@@ -1,9 +1,6 @@
 #include "draw/scene/pairs.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <set>
 
 #include "core/convex_polygon.h"
 #include "draw/scene/pair_words.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "draw/scene/scene.h"
 #include "trace/trace.h"
 

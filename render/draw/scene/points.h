@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <span>
-#include <vector>
-
 #include "core/plane.h"
 #include "core/vec3.h"
 

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstddef>
-#include <span>
-#include <vector>
 
 #include "core/plane.h"
 #include "core/vec3.h"

@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <iostream>
-#include <utility>
 
 #include "app/check/check_run.h"
 #include "app/check/reports/report.h"

@@ -1,11 +1,9 @@
 #include "app/check/check_run.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <future>
 #include <iostream>
 #include <sstream>
-#include <stdexcept>
 
 #include "app/check/reports/report.h"
 #include "app/cli/faults.h"

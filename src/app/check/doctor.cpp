@@ -1,7 +1,5 @@
 #include <Eigen/Core>
-#include <algorithm>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/faults.h"

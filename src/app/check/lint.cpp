@@ -1,9 +1,6 @@
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"

@@ -1,10 +1,7 @@
 #include "app/cli/catalogue.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
-#include <map>
 
 #include "app/cli/narrow.h"
 #include "app/cli/options.h"

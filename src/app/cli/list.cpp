@@ -1,13 +1,7 @@
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
-#include <string_view>
-#include <utility>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/verbs.h"

@@ -1,8 +1,5 @@
 #include "app/cli/trace_checks.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <concepts>
 #include <unordered_set>
 

@@ -1,11 +1,8 @@
 #include "app/cli/verbs.h"
 
-#include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <optional>
 #include <sstream>
-#include <utility>
 
 #include "core/key_table.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/cli/options.h"
 
 namespace contactscope::app {

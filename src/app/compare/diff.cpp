@@ -1,11 +1,8 @@
 #include "app/compare/diff.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "app/cli/progress.h"

@@ -1,8 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <optional>
-#include <tuple>
-#include <utility>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/progress.h"

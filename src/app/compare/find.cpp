@@ -1,7 +1,5 @@
-#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/narrow.h"
 #include "app/cli/progress.h"

@@ -1,6 +1,5 @@
 #include "shrink/shrink.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,8 @@
 #include "study/study.h"
 #include "versus/request.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
-#include <optional>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/options.h"

@@ -1,13 +1,9 @@
 #include "app/render/render.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <functional>
 #include <future>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"

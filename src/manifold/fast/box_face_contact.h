@@ -1,11 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "core/plane.h"
 #include "manifold/collide_options.h"

@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <span>
-#include <utility>
-
 #include "manifold/contact_depth.h"
 #include "manifold/fast/box_face_contact.h"
 #include "manifold/fast/collide_box_box.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/scratch.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"

@@ -1,8 +1,5 @@
 #include "manifold/fast/collide_box_box.h"
 
-#include <cmath>
-#include <limits>
-
 #include "manifold/fast/box_face_contact.h"
 #include "query/fast/box_sat.h"
 

@@ -1,11 +1,5 @@
 #include "manifold/fast/collide_two_capsules.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
-
 #include "manifold/contact.h"
 #include "manifold/round_contact.h"
 #include "query/fast/packed_vectors.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-#include <limits>
-
 #include "core/pack.h"
 #include "core/scratch.h"
 #include "query/fast/lane_search.h"

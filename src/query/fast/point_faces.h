@@ -1,9 +1,6 @@
 #pragma once
 
-#include <bit>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "core/at.h"
 #include "core/pack.h"

@@ -1,8 +1,5 @@
 #include "reduce/fast/area_of_eight.h"
 
-#include <bit>
-#include <cstdint>
-
 #include "core/dot_order.h"
 #include "core/three.h"
 
