@@ -1,9 +1,7 @@
 #include "draw/staging.h"
 
 #include "core/at.h"
-#include "draw/scene/ghost.h"
 #include "draw/scene/home_region.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"

@@ -1,6 +1,5 @@
 #include "draw/title.h"
 
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/staging.h"
 

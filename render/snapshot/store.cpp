@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/input_file.h"
+#include "core/input_error.h"
 #include "core/spell.h"
 #include "image/encoding.h"
 #include "image/whole_file.h"

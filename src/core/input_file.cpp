@@ -1,4 +1,3 @@
-#include "core/input_file.h"
 
 #include <filesystem>
 #include <system_error>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/at.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "core/vec3.h"
 
 namespace contactscope {

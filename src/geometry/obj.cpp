@@ -10,7 +10,6 @@
 
 #include "core/at.h"
 #include "core/input_error.h"
-#include "core/input_file.h"
 #include "core/spell.h"
 #include "geometry/triangulate.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plane.h"
+#include "core/pose.h"
 #include "geometry/hull.h"
 #include "geometry/mesh.h"
 

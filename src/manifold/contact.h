@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/manifold.h"
-#include "core/plane.h"
 #include "core/pose.h"
 
 namespace contactscope {

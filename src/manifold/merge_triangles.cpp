@@ -2,7 +2,7 @@
 
 #include "core/convex_polygon.h"
 #include "core/instantiate.h"
-#include "core/scratch.h"
+#include "core/static_vector.h"
 #include "geometry/box_topology.h"
 #include "manifold/collide_pairs.h"
 #include "query/tolerance.h"

@@ -2,7 +2,7 @@
 
 #include "core/at.h"
 #include "core/instantiate.h"
-#include "core/scratch.h"
+#include "core/static_vector.h"
 
 namespace contactscope {
 namespace {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "core/input_file.h"
+#include "core/input_error.h"
 #include "core/spell.h"
 #include "scenario/readers.h"
 #include "scenario/words_file.h"

@@ -1,6 +1,5 @@
 #include "draw/charts/series_chart.h"
 
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "view/words.h"
 

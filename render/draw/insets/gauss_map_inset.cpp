@@ -1,5 +1,4 @@
 #include "draw/insets/inset.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"

@@ -1,5 +1,4 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 

@@ -3,7 +3,7 @@
 #include <deque>
 
 #include "core/at.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

@@ -1,4 +1,4 @@
-#include "draw/scene/ghost.h"
+#include "draw/scene/solid.h"
 
 namespace contactscope::draw {
 

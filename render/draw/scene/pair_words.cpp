@@ -1,4 +1,4 @@
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 
 #include "draw/scene/palette.h"
 

@@ -3,7 +3,6 @@
 #include <charconv>
 
 #include "core/convex_polygon.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "view/words.h"
 

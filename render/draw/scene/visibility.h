@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/plane.h"
+#include "core/pose.h"
 #include "core/vec3.h"
 #include "draw/scene/camera.h"
 

@@ -7,10 +7,9 @@
 #include "app/cli/options.h"
 #include "core/at.h"
 #include "core/input_error.h"
-#include "core/input_file.h"
 #include "core/key_table.h"
 #include "core/spell.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "reduce/reducer.h"
 
 namespace contactscope::app {

@@ -7,7 +7,7 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/key_table.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "core/spell.h"
 #include "geometry/hull_builder.h"
 #include "snapshot/store.h"

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/plane.h"
+#include "core/pose.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
 #include "manifold/contact_depth.h"

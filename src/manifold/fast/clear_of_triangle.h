@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scratch.h"
+#include "core/static_vector.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "geometry/mesh.h"

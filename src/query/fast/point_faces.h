@@ -4,7 +4,7 @@
 
 #include "core/at.h"
 #include "core/pack.h"
-#include "core/scratch.h"
+#include "core/static_vector.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "query/fast/lane_search.h"
