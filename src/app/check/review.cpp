@@ -305,12 +305,7 @@ ExitCode run_accept(const Options& options) {
 Verb review_verb() {
   return {"review",
           "Review the findings of the last check; one key each: accept, reject, skip, show",
-          &run_review,
-          "Examples:\n"
-          "  contactscope review\n"
-          "  contactscope review --list | grep ^changed\n"
-          "  contactscope review --from decisions.json\n"
-          "Exit codes: 0 no finding is left, 1 some are, 2 an error."};
+          &run_review};
 }
 
 }  // namespace contactscope::app

@@ -250,13 +250,6 @@ ExitCode run_list(const Options& options) {
 
 }  // namespace
 
-Verb list_verb() {
-  return {"list", "List scenarios, reducers, layers and other names", &run_list,
-          "Examples:\n"
-          "  contactscope list scenarios\n"
-          "  contactscope list sources\n"
-          "  contactscope list course --format html\n"
-          "Exit codes: 0 done, 2 an error."};
-}
+Verb list_verb() { return {"list", "List scenarios, reducers, layers and other names", &run_list}; }
 
 }  // namespace contactscope::app
