@@ -3,7 +3,6 @@
 #include "continuous/approach.h"
 #include "continuous/impact_with_mesh.h"
 #include "continuous/motion_bounds.h"
-#include "core/instantiate.h"
 #include "field/distance_field.h"
 
 namespace contactscope {

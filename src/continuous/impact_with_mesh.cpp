@@ -5,7 +5,6 @@
 #include "broadphase/broad_phase.h"
 #include "continuous/approach.h"
 #include "continuous/portal_cast.h"
-#include "core/instantiate.h"
 #include "query/mesh_overlap.h"
 
 namespace contactscope {
@@ -360,7 +359,6 @@ template <class S> MeshImpact impact_of_meshes(const MovingMesh<S>& a, const Mov
   return MeshSearch<S>(a, b).first();
 }
 
-template decltype(impact_of_meshes<float>) impact_of_meshes<float>;
-template decltype(impact_of_meshes<double>) impact_of_meshes<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(impact_of_meshes);
 
 }  // namespace contactscope

@@ -1,7 +1,6 @@
 #include "continuous/motion_bounds.h"
 
 #include "broadphase/broad_phase.h"
-#include "core/instantiate.h"
 
 namespace contactscope {
 

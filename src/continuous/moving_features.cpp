@@ -1,7 +1,6 @@
 #include "continuous/moving_features.h"
 
 #include "continuous/moving_polygon.h"
-#include "core/instantiate.h"
 
 namespace contactscope {
 namespace {

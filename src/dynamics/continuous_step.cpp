@@ -3,7 +3,6 @@
 #include "broadphase/broad_phase.h"
 #include "continuous/motion_bounds.h"
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "dynamics/solver.h"
 #include "geometry/core_hull.h"
 #include "geometry/mesh.h"

@@ -2,7 +2,6 @@
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
-#include "core/instantiate.h"
 
 namespace contactscope {
 namespace {

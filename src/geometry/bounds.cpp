@@ -6,7 +6,6 @@
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
-#include "core/instantiate.h"
 #include "core/static_vector.h"
 
 namespace contactscope {

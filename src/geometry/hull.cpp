@@ -1,6 +1,5 @@
 #include "geometry/hull.h"
 
-#include "core/instantiate.h"
 #include "geometry/box_topology.h"
 #include "geometry/lanes.h"
 

@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "geometry/mesh_seams.h"
 
 namespace contactscope {

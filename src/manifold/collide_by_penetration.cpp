@@ -120,7 +120,6 @@ std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, cons
   return std::nullopt;
 }
 
-template decltype(collide_by_penetration<float>) collide_by_penetration<float>;
-template decltype(collide_by_penetration<double>) collide_by_penetration<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_by_penetration);
 
 }  // namespace contactscope

@@ -1,4 +1,3 @@
-#include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"

@@ -331,7 +331,6 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
   return least;
 }
 
-template decltype(collide_with_field<float>) collide_with_field<float>;
-template decltype(collide_with_field<double>) collide_with_field<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_with_field);
 
 }  // namespace contactscope

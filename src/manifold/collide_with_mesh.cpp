@@ -1,4 +1,3 @@
-#include "core/instantiate.h"
 #include "geometry/mesh.h"
 #include "geometry/prefetch.h"
 #include "manifold/collide_pairs.h"

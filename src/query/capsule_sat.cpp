@@ -1,7 +1,6 @@
 #include "query/capsule_sat.h"
 
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "geometry/lanes.h"
 #include "query/closest_points.h"
 #include "query/fast/point_faces.h"

@@ -1,6 +1,5 @@
 #include "query/closest_points.h"
 
-#include "core/instantiate.h"
 #include "core/pack.h"
 #include "query/tolerance.h"
 

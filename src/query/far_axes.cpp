@@ -167,7 +167,6 @@ S far_separation(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
   return search.bound;
 }
 
-template decltype(far_separation<float>) far_separation<float>;
-template decltype(far_separation<double>) far_separation<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(far_separation);
 
 }  // namespace contactscope

@@ -170,7 +170,6 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
   return ended(GjkStatus::OutOfIterations, kMaxGjkIterations);
 }
 
-template decltype(gjk<float>) gjk<float>;
-template decltype(gjk<double>) gjk<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(gjk);
 
 }  // namespace contactscope

@@ -1,7 +1,6 @@
 #include "query/mesh_overlap.h"
 
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "core/pack.h"
 
 namespace contactscope {

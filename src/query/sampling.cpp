@@ -1,4 +1,3 @@
-#include "core/instantiate.h"
 #include "query/penetration_bounds.h"
 
 namespace contactscope {

@@ -189,7 +189,6 @@ FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& ot
   return best;
 }
 
-template decltype(query_faces<float>) query_faces<float>;
-template decltype(query_faces<double>) query_faces<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(query_faces);
 
 }  // namespace contactscope

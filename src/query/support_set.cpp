@@ -1,6 +1,5 @@
 #include "query/support_set.h"
 
-#include "core/instantiate.h"
 #include "core/pack.h"
 #include "geometry/lanes.h"
 

@@ -1,7 +1,6 @@
 #include "reduce/optimal_ring.h"
 
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "core/static_vector.h"
 
 namespace contactscope {

@@ -1,4 +1,3 @@
-#include "core/instantiate.h"
 #include "reduce/optimal_ring.h"
 
 namespace contactscope {

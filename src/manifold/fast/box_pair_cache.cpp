@@ -133,7 +133,6 @@ template <class S>
   return true;
 }
 
-template decltype(collide_boxes_from_cache<float>) collide_boxes_from_cache<float>;
-template decltype(collide_boxes_from_cache<double>) collide_boxes_from_cache<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_boxes_from_cache);
 
 }  // namespace contactscope

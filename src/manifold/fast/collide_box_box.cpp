@@ -67,7 +67,6 @@ template <class S>
   return true;
 }
 
-template decltype(collide_box_box<float>) collide_box_box<float>;
-template decltype(collide_box_box<double>) collide_box_box<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_box_box);
 
 }  // namespace contactscope

@@ -205,7 +205,6 @@ bool collide_two_capsules(const Capsule<S>& a, const Pose<S>& pose_a, const Caps
                           swapped ? pose_a : pose_b, swapped, options, manifolds);
 }
 
-template decltype(collide_two_capsules<float>) collide_two_capsules<float>;
-template decltype(collide_two_capsules<double>) collide_two_capsules<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_two_capsules);
 
 }  // namespace contactscope

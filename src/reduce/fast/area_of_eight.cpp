@@ -190,7 +190,6 @@ template <class S>
   return true;
 }
 
-template decltype(area_of_eight<float>) area_of_eight<float>;
-template decltype(area_of_eight<double>) area_of_eight<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(area_of_eight);
 
 }  // namespace contactscope
