@@ -1,8 +1,5 @@
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <list>
-#include <optional>
 
 #include "core/at.h"
 #include "draw/insets/contact_plane.h"

@@ -1,10 +1,7 @@
-#include <algorithm>
-#include <array>
 #include <ranges>
-#include <set>
 
 #include "draw/scene/outlines.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
 #include "image/font.h"

@@ -1,11 +1,6 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string_view>
-
 #include "core/convex_polygon.h"
 #include "draw/scene/outlines.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"

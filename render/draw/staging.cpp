@@ -1,15 +1,7 @@
 #include "draw/staging.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
-#include <numbers>
-
 #include "core/at.h"
-#include "draw/scene/ghost.h"
 #include "draw/scene/home_region.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "draw/insets/contact_cells.h"
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"

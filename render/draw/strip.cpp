@@ -1,9 +1,6 @@
 #include "draw/strip.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <iterator>
 #include <sstream>
 
 #include "core/at.h"

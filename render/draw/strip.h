@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "draw/staging.h"
 
 /// Composite pictures: frames of a sequence side by side, or thumbnails of many scenarios.

@@ -1,12 +1,5 @@
 #include "draw/title.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <set>
-
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/staging.h"
 

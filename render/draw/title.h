@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "draw/scene/quantity.h"
 #include "trace/trace.h"
 #include "view/title.h"

@@ -1,10 +1,5 @@
 #include "draw/viewports.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "draw/scene/camera.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/scene.h"

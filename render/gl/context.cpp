@@ -2,10 +2,6 @@
 
 #include <dlfcn.h>
 
-#include <array>
-#include <cstdint>
-#include <type_traits>
-
 #include "gl/routes.h"
 
 namespace contactscope::gl {

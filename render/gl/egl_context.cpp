@@ -4,7 +4,6 @@
 #include <EGL/eglext.h>
 
 #include <sstream>
-#include <string_view>
 
 #include "gl/routes.h"
 

@@ -1,6 +1,4 @@
 // Mesa's off-screen interface, without a window system or EGL. Mesa 25.1 removed it.
-#include <array>
-#include <cstdint>
 
 #include "gl/routes.h"
 

@@ -1,10 +1,6 @@
 #include "gl/primitive_vertices.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <cstddef>
-#include <stdexcept>
 
 namespace contactscope::gl {
 namespace {

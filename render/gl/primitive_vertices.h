@@ -1,11 +1,6 @@
 #pragma once
 
-#include <array>
 #include <compare>
-#include <cstdint>
-#include <map>
-#include <span>
-#include <vector>
 
 #include "draw/scene/drawing.h"
 #include "image/font.h"
@@ -54,7 +49,7 @@ class GlyphAtlas {
   std::map<GlyphKey, GlyphPlace> places_;
 };
 
-/// A triangle corner; shaders.h documents `line`, `form` and `run` for each program.
+/// A triangle corner; shaders/*.glsl document `line`, `form` and `run` for each program.
 struct Vertex {
   float position[2];
   float line[4];

@@ -1,14 +1,15 @@
 #include "gl/rasterizer.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <cstring>
-#include <stdexcept>
-#include <string>
-
-#include "gl/shaders.h"
 
 namespace contactscope::gl {
+
+/// shaders/*.glsl, embedded by the build.
+std::string_view vertex_shader();
+std::string_view fill_shader();
+std::string_view shape_shader();
+std::string_view glyph_shader();
+
 namespace {
 
 /// An input of the vertex shader; its location is its index in the list.
@@ -36,9 +37,11 @@ template <class GetLog>
   throw std::runtime_error(what + log.substr(0, static_cast<std::size_t>(length)));
 }
 
-void attach(const Functions& gl, GLuint program, GLenum kind, const char* source) {
+void attach(const Functions& gl, GLuint program, GLenum kind, std::string_view source) {
   const GLuint shader = gl.CreateShader(kind);
-  gl.ShaderSource(shader, 1, &source, nullptr);
+  const char* const text = source.data();
+  const auto length = static_cast<GLint>(source.size());
+  gl.ShaderSource(shader, 1, &text, &length);
   gl.CompileShader(shader);
   GLint compiled = GL_FALSE;
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -48,9 +51,9 @@ void attach(const Functions& gl, GLuint program, GLenum kind, const char* source
 }
 
 /// Compiles and links GLSL 3.30. Throws std::runtime_error with the driver's log.
-GLuint build_program(const Functions& gl, const char* fragment_source) {
+GLuint build_program(const Functions& gl, std::string_view fragment_source) {
   const GLuint program = gl.CreateProgram();
-  attach(gl, program, GL_VERTEX_SHADER, kVertexShader);
+  attach(gl, program, GL_VERTEX_SHADER, vertex_shader());
   attach(gl, program, GL_FRAGMENT_SHADER, fragment_source);
   GLuint location = 0;
   for (const Attribute& attribute : kAttributes)
@@ -114,7 +117,7 @@ void Rasterizer::make_framebuffer() {
 }
 
 void Rasterizer::make_programs() {
-  const char* fragments[] = {kFillFragmentShader, kShapeFragmentShader, kGlyphFragmentShader};
+  const std::string_view fragments[] = {fill_shader(), shape_shader(), glyph_shader()};
   for (std::size_t i = 0; i < programs_.size(); ++i) {
     programs_[i] = build_program(gl_, fragments[i]);
     gl_.UseProgram(programs_[i]);

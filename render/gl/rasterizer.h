@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "draw/scene/drawing.h"
 #include "gl/context.h"
 #include "gl/primitive_vertices.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "gl/context.h"
 
 /// Shared by context.cpp and the routes; not part of this folder's interface.

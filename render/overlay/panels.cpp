@@ -2,10 +2,8 @@
 
 #include <imgui.h>
 
-#include <utility>
-
 #include "draw/scene/camera.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::overlay {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "draw/panels/panel.h"
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "draw/staging.h"
 
 /// Text about objects in a picture, from the trace alone.

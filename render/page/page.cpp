@@ -1,7 +1,5 @@
 #include "page/page.h"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/at.h"

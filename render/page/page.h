@@ -1,11 +1,5 @@
 #pragma once
 
-#include <map>
-#include <set>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "draw/staging.h"
 #include "image/png.h"
 #include "vector/font_subset.h"

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 #include "core/at.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "draw/scene/pairs.h"

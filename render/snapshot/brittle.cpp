@@ -1,7 +1,4 @@
-#include "snapshot/brittle.h"
-
-#include <algorithm>
-#include <cmath>
+#include "snapshot/compare_trace.h"
 
 #include "snapshot/compare_facts.h"
 #include "snapshot/spelling.h"

@@ -1,7 +1,6 @@
 #include "snapshot/changes.h"
 
 #include <fnmatch.h>
-#include <cstddef>
 
 #include "image/png.h"
 #include "snapshot/check.h"

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "core/vec3.h"
 #include "snapshot/finding.h"

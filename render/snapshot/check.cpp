@@ -1,6 +1,5 @@
 #include "snapshot/check.h"
 
-#include <algorithm>
 #include <exception>
 
 #include "core/input_error.h"

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "image/image.h"
 #include "snapshot/compare_trace.h"

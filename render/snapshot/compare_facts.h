@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "snapshot/changes.h"
 #include "snapshot/spelling.h"
 #include "snapshot/stage.h"

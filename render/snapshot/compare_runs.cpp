@@ -1,9 +1,6 @@
 #include "snapshot/compare_runs.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <map>
-#include <set>
 
 #include "snapshot/compare_facts.h"
 #include "trace/find.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "snapshot/compare_trace.h"
 #include "trace/read_trace.h"
 

@@ -1,9 +1,6 @@
 #include "snapshot/compare_trace.h"
 
-#include <algorithm>
-#include <cmath>
 #include <deque>
-#include <map>
 #include <sstream>
 #include <unordered_map>
 

@@ -1,8 +1,5 @@
 #include "snapshot/finding.h"
 
-#include <algorithm>
-#include <map>
-
 namespace contactscope::snapshot {
 namespace {
 

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/spell.h"
 #include "image/compare.h"
 #include "trace/field.h"
@@ -133,7 +126,7 @@ struct ScenarioOutcome {
   int pictures = 0;                    // compared
   int written = 0;                     // files written, rewritten or removed
   std::vector<std::string> notes{};    // remarks that are not errors
-  std::vector<std::string> brittle{};  // decisions within rounding, see brittle.h
+  std::vector<std::string> brittle{};  // decisions within rounding, see compare_trace.h
   std::vector<Finding> findings{};
 
   bool fails() const {

@@ -1,10 +1,5 @@
 #include "snapshot/compare_trace.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-
 #include "snapshot/finding.h"
 #include "snapshot/spelling.h"
 #include "trace/find.h"

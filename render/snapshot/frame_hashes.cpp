@@ -1,11 +1,6 @@
 #include "snapshot/frame_hashes.h"
 
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <sstream>
-#include <stdexcept>
 
 #include "core/pose.h"
 #include "snapshot/compare_facts.h"

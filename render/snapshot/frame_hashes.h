@@ -1,8 +1,5 @@
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "trace/trace.h"
 
 /// Hashes of the facts of every frame, 16 digits each. They detect changes in frames that are not

@@ -1,6 +1,5 @@
 #include "snapshot/meshes.h"
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 

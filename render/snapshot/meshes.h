@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
-#include <string>
+
+#include "core/standard.h"
 
 /// Stores each large mesh of traces once, in a file named by a hash of its content:
 ///

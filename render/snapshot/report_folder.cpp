@@ -1,8 +1,6 @@
 #include "snapshot/report_folder.h"
 
 #include <unistd.h>
-#include <algorithm>
-#include <string_view>
 
 #include "core/input_error.h"
 #include "image/compare.h"

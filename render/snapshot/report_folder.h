@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "image/image.h"
 #include "snapshot/check.h"

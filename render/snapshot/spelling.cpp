@@ -1,9 +1,5 @@
 #include "snapshot/spelling.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace contactscope::snapshot {
 
 namespace {

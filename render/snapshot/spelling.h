@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <string>
-
 #include "core/spell.h"
 #include "core/vec3.h"
 

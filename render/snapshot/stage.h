@@ -1,9 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <concepts>
-#include <string_view>
 
 #include "trace/trace.h"
 

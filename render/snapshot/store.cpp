@@ -1,14 +1,9 @@
 #include "snapshot/store.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <fstream>
-#include <iterator>
-#include <set>
 #include <sstream>
-#include <stdexcept>
 
-#include "core/input_file.h"
+#include "core/input_error.h"
 #include "core/spell.h"
 #include "image/encoding.h"
 #include "image/whole_file.h"

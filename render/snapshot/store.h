@@ -4,10 +4,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 #include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "trace/json.h"
 

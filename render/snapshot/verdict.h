@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "snapshot/finding.h"
 
 /// Decides the action after a comparison. Pure: environment and command line are in the policy.

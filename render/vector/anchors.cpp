@@ -1,9 +1,6 @@
 #include "vector/anchors.h"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "trace/trace.h"

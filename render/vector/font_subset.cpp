@@ -2,8 +2,6 @@
 
 #include <dlfcn.h>
 #include <hb-subset.h>
-#include <memory>
-#include <span>
 
 #include "image/encoding.h"
 

@@ -1,13 +1,7 @@
 #pragma once
 
 #include <compare>
-#include <cstddef>
-#include <map>
 #include <mutex>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
 
 #include "draw/scene/drawing.h"
 #include "image/font.h"

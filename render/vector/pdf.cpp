@@ -3,16 +3,9 @@
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 
-#include <array>
 #include <cstdlib>
 #include <ctime>
-#include <map>
-#include <memory>
 #include <mutex>
-#include <numbers>
-#include <span>
-#include <stdexcept>
-#include <vector>
 
 #include "image/font.h"
 #include "vector/font_subset.h"

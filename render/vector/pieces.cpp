@@ -1,9 +1,5 @@
 #include "vector/pieces.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "draw/scene/camera.h"
 #include "image/font.h"
 

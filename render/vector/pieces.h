@@ -1,8 +1,5 @@
 #pragma once
 
-#include <variant>
-#include <vector>
-
 #include "draw/scene/drawing.h"
 
 /// Converts a Drawing for vector files: in as few paths as possible.

@@ -1,9 +1,6 @@
 #include "vector/svg.h"
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <map>
 
 #include "core/spell.h"
 #include "image/font.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <string_view>
-
 #include "draw/scene/drawing.h"
 #include "image/png.h"
 #include "vector/font_subset.h"

@@ -1,11 +1,5 @@
 #include "broadphase/broad_phase.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <stdexcept>
-
 #include "core/at.h"
 
 namespace contactscope {

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <limits>
-
 #include "broadphase/broad_phase.h"
 #include "core/at.h"
 #include "core/pack.h"

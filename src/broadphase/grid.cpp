@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "broadphase/broad_phase.h"
 #include "core/at.h"
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-
 #include "broadphase/broad_phase.h"
 #include "core/at.h"
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <utility>
-
 #include "broadphase/broad_phase.h"
 #include "core/at.h"
 

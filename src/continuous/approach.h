@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "continuous/impact.h"
 #include "query/gjk.h"
 #include "query/tolerance.h"

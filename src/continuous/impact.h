@@ -1,9 +1,7 @@
 #pragma once
 
-#include <vector>
-
 #include "continuous/motion_bounds.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "query/support_set.h"
 
 namespace contactscope {

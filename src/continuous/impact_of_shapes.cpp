@@ -1,13 +1,8 @@
 #include "continuous/impact_of_shapes.h"
 
-#include <algorithm>
-#include <type_traits>
-#include <utility>
-
 #include "continuous/approach.h"
 #include "continuous/impact_with_mesh.h"
 #include "continuous/motion_bounds.h"
-#include "core/instantiate.h"
 #include "field/distance_field.h"
 
 namespace contactscope {

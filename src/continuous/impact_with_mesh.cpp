@@ -1,17 +1,10 @@
 #include "continuous/impact_with_mesh.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "broadphase/broad_phase.h"
 #include "continuous/approach.h"
 #include "continuous/portal_cast.h"
-#include "core/instantiate.h"
 #include "query/mesh_overlap.h"
 
 namespace contactscope {
@@ -366,7 +359,6 @@ template <class S> MeshImpact impact_of_meshes(const MovingMesh<S>& a, const Mov
   return MeshSearch<S>(a, b).first();
 }
 
-template decltype(impact_of_meshes<float>) impact_of_meshes<float>;
-template decltype(impact_of_meshes<double>) impact_of_meshes<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(impact_of_meshes);
 
 }  // namespace contactscope

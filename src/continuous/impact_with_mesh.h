@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-
 #include "continuous/impact_of_shapes.h"
 #include "continuous/moving_features.h"
 #include "geometry/mesh.h"

@@ -1,10 +1,6 @@
 #include "continuous/motion_bounds.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "broadphase/broad_phase.h"
-#include "core/instantiate.h"
 
 namespace contactscope {
 

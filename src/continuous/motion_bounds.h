@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "core/pose.h"
 #include "geometry/aabb.h"
 #include "geometry/shape.h"

@@ -1,9 +1,6 @@
 #include "continuous/moving_features.h"
 
-#include <optional>
-
 #include "continuous/moving_polygon.h"
-#include "core/instantiate.h"
 
 namespace contactscope {
 namespace {

@@ -1,10 +1,5 @@
 #include "continuous/portal_cast.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "core/at.h"
 #include "geometry/lanes.h"
 #include "query/minkowski_difference.h"
@@ -342,7 +337,6 @@ SweptSphereHit sweep_sphere_triangle(const Vec3<S>& start, const Vec3<S>& displa
       .first_hit();
 }
 
-template decltype(sweep_sphere_triangle<float>) sweep_sphere_triangle<float>;
-template decltype(sweep_sphere_triangle<double>) sweep_sphere_triangle<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(sweep_sphere_triangle);
 
 }  // namespace contactscope

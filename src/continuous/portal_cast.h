@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "continuous/approach.h"
 #include "core/vec3.h"
 

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <vector>
-
 #include "continuous/approach.h"
 #include "continuous/portal_cast.h"
 #include "query/minkowski_difference.h"

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <cassert>
-#include <cstddef>
-#include <functional>
-#include <type_traits>
-#include <utility>
-#include <vector>
+
+#include "core/standard.h"
 
 namespace contactscope {
 

@@ -1,8 +1,5 @@
 #include "core/convex_polygon.h"
 
-#include <algorithm>
-#include <numeric>
-
 #include "core/at.h"
 
 namespace contactscope {

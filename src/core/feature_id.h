@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
+#include "core/standard.h"
 
 namespace contactscope {
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
+#include "core/standard.h"
 
 namespace contactscope {
 
@@ -24,5 +23,16 @@ class InputError : public std::runtime_error {
 struct ShapeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// Throws InputError if `path` is a pipe, device or socket: opening or reading one may block
+/// forever. Folders and missing paths are left to the caller. `wanted`: "give a scenario (.toml)".
+void require_regular_file(const std::string& path, const std::string& wanted);
+
+/// Name of a well-known mesh, robot or scene format, detected from the first bytes: "STL", "URDF
+/// (XML)". Empty for other or too short files. `size` is that of the whole file, in bytes.
+std::string foreign_format(std::string_view begin, std::uintmax_t size);
+
+/// Error message for such a file: its format and what to use instead. Empty for all other files.
+std::string foreign_format_remedy(std::string_view begin, std::uintmax_t size);
 
 }  // namespace contactscope

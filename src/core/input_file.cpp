@@ -1,10 +1,6 @@
-#include "core/input_file.h"
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "core/input_error.h"
 

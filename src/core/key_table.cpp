@@ -1,14 +1,15 @@
 #include "core/key_table.h"
 
-#include <algorithm>
 #include <charconv>
-#include <limits>
-#include <optional>
 #include <regex>
 #include <sstream>
-#include <utility>
 
 namespace contactscope {
+
+/// meanings.txt, embedded by the build: words here, each with those of other programs and of
+/// everyday language for it.
+std::string_view meanings();
+
 namespace {
 
 /// Calls `visit` with each part of the text.
@@ -103,57 +104,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return edits[a.size()][b.size()];
 }
 
-/// Words here, each with those of other programs and of everyday language for it.
-constexpr std::string_view kMeanings = R"(
-contacts: contact_points collisions manifolds
-normals: contact_normals
-shapes: bodies objects geometry wireframe
-bounds: aabbs
-broad_phase: broadphase
-loads: forces
-float: single float32
-double: float64
-box: cube cuboid
-sphere: ball
-hull: convex polyhedron
-mesh: trimesh triangle_mesh
-plane: half_space
-sdf: distance_field
-half_extents: extents half_size half_sizes
-quat_wxyz: quaternion orientation rotation
-pairs: contacts collisions
-position: origin translation location
-rotation: orientation
-triangles: faces indices
-vertices: points
-restitution: bounciness elasticity
-friction: mu
-dt: timestep time_step
-angular_velocity: omega
-velocity: linear_velocity
-substeps: sub_steps
-fov_degrees: fov
-eye: camera
-overlap: penetration depth
-separation: depth distance
-points: count
---out: -o --output --outdir --output-dir
---jobs: -j --threads
---quiet: -q
---verbose: -v
---version: -V
---format: -f
---size: --resolution
---frames: --frame
---target: --look-at
---eye: --position
---camera: --camera-position
-render: draw
-lint: validate
-versus: compare
-shrink: minimize reduce
-)";
-
 /// In lower case, without underscores; options, such as -v and -V, as they are.
 std::string folded(std::string_view word) {
   if (word.starts_with('-')) return std::string(word);
@@ -165,7 +115,7 @@ std::string folded(std::string_view word) {
 
 /// The word here that has this meaning, of those in `candidates`. `word` is folded.
 std::string meant_by(const std::string& word, const std::vector<std::string_view>& candidates) {
-  std::istringstream lines{std::string(kMeanings)};
+  std::istringstream lines{std::string(meanings())};
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string here;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "core/feature_id.h"
 #include "core/static_vector.h"
 #include "core/vec3.h"

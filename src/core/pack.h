@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #ifdef __SSE2__
 #include <immintrin.h>

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <numbers>
 #include <random>
 
 #include "core/vec3.h"

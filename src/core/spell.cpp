@@ -1,7 +1,6 @@
 #include "core/spell.h"
 
 #include <charconv>
-#include <span>
 
 #include "core/at.h"
 

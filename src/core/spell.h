@@ -1,12 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <cstdio>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
+
+#include "core/standard.h"
 
 /// Numbers and lists as text, for pictures, reports and messages.
 namespace contactscope {

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "core/standard.h"
+
 #ifdef EIGEN_VECTORIZE_NEON
 // Eigen sums three floats as a + (b + c), but as (a + b) + c where it has packets of two, which
 // rounds differently. Skip those packets, so that arm64 gives the bits of other processors.
@@ -41,3 +43,18 @@ template <class S> Vec3<S> any_perpendicular(const Vec3<S>& v) {
 }
 
 }  // namespace contactscope
+
+/// Instantiates one to five function templates, each for float and for double. Each name must have
+/// a single template and its first parameter must be the scalar.
+#define CONTACTSCOPE_FLOAT_AND_DOUBLE(...) \
+  CONTACTSCOPE_RESCAN(CONTACTSCOPE_RESCAN( \
+      CONTACTSCOPE_RESCAN(CONTACTSCOPE_RESCAN(CONTACTSCOPE_FIRST_NAME(__VA_ARGS__)))))
+
+// A macro does not expand itself, so that each further name needs one more scan.
+#define CONTACTSCOPE_RESCAN(...) __VA_ARGS__
+#define CONTACTSCOPE_NOTHING
+#define CONTACTSCOPE_NEXT_NAME() CONTACTSCOPE_FIRST_NAME
+#define CONTACTSCOPE_FIRST_NAME(function, ...)                     \
+  template decltype(function<float>) function<float>;              \
+  template decltype(function<double>) function<double> __VA_OPT__( \
+      ; CONTACTSCOPE_NEXT_NAME CONTACTSCOPE_NOTHING()(__VA_ARGS__))

@@ -1,8 +1,6 @@
 #include "core/workers.h"
 
-#include <algorithm>
 #include <system_error>
-#include <utility>
 
 namespace contactscope {
 

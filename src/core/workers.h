@@ -2,10 +2,10 @@
 
 #include <condition_variable>
 #include <exception>
-#include <functional>
 #include <mutex>
 #include <thread>
-#include <vector>
+
+#include "core/standard.h"
 
 namespace contactscope {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/pose.h"
 #include "geometry/shape.h"
 

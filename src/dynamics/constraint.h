@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <span>
-#include <vector>
-
 #include "core/at.h"
 #include "dynamics/solver.h"
 

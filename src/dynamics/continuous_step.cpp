@@ -1,15 +1,8 @@
 #include "dynamics/continuous_step.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <memory>
-#include <tuple>
-
 #include "broadphase/broad_phase.h"
 #include "continuous/motion_bounds.h"
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "dynamics/solver.h"
 #include "geometry/core_hull.h"
 #include "geometry/mesh.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "continuous/impact_of_shapes.h"
 #include "dynamics/body.h"
 #include "dynamics/solver_settings.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <limits>
-
 #include "dynamics/constraint.h"
 
 /// Semi-implicit Euler: first the velocities, then the positions with the new velocities.

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include <Eigen/Eigenvalues>
 
 #include "dynamics/body.h"
@@ -145,7 +141,6 @@ double shortest_edge(double mass, const Mat3<double>& inertia) {
   return std::sqrt(std::max(0.0, 6 / mass * (moments.x() + moments.y() - moments.z())));
 }
 
-template decltype(mass_properties<float>) mass_properties<float>;
-template decltype(mass_properties<double>) mass_properties<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(mass_properties);
 
 }  // namespace contactscope

@@ -1,15 +1,7 @@
 #include "dynamics/sleep.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <numeric>
-#include <utility>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
-#include "core/instantiate.h"
 
 namespace contactscope {
 namespace {

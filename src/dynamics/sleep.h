@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/vec3.h"
 #include "dynamics/solver.h"
 #include "trace/trace.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <span>
-#include <vector>
-
 #include "dynamics/constraint.h"
 
 /// Sequential impulses: solves contact points one by one, in sweeps. Source: Catto 2006, "Fast and

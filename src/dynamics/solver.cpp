@@ -1,6 +1,5 @@
 #include "dynamics/solver.h"
 
-#include "core/instantiate.h"
 #include "dynamics/integrate.h"
 #include "dynamics/solve_velocities.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-#include <span>
-#include <vector>
-
 #include "continuous/motion_bounds.h"
 #include "core/at.h"
 #include "dynamics/body.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/vec3.h"
 
 namespace contactscope {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <span>
-
 #include "core/pack.h"
 #include "field/field_builder.h"
 

@@ -1,10 +1,5 @@
 #include "field/closed_surface.h"
 
-#include <cmath>
-#include <map>
-#include <string>
-#include <utility>
-
 #include "core/at.h"
 #include "core/input_error.h"
 #include "geometry/triangulate.h"

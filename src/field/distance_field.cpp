@@ -1,8 +1,5 @@
 #include "field/distance_field.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "query/closest_points.h"
 #include "query/winding.h"
 

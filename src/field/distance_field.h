@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "core/at.h"
 #include "field/nearest_point.h"
 #include "field/node_blend.h"

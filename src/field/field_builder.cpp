@@ -1,9 +1,5 @@
 #include "field/field_builder.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include "core/at.h"
 #include "core/input_error.h"
 #include "field/block_filler.h"

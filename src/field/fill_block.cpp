@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "field/block_filler.h"
 #include "field/field_builder.h"

@@ -1,10 +1,5 @@
 #include "field/lean.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-
 #include "core/at.h"
 
 namespace contactscope {

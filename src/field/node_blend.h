@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-
 #include "core/pack.h"
 #include "core/vec3.h"
 

@@ -1,8 +1,5 @@
 #include "field/block_filler.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "core/at.h"
 
 namespace contactscope {

@@ -1,9 +1,5 @@
 #include "field/triangle_sieve.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 #include "field/lean.h"
 

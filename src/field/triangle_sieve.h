@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
-
 #include "core/pack.h"
 #include "field/nearest_point.h"
 

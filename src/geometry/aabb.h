@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-#include <limits>
-#include <span>
-
 #include "core/pack.h"
 #include "core/vec3.h"
 

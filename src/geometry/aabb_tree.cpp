@@ -1,10 +1,6 @@
 #include "geometry/aabb_tree.h"
 
-#include <algorithm>
-#include <bit>
 #include <cassert>
-#include <limits>
-#include <utility>
 
 #include "core/pack.h"
 #include "trace/pair.h"

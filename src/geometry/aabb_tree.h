@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
-
 #include "core/at.h"
 #include "core/static_vector.h"
 #include "core/vec3.h"

@@ -1,16 +1,11 @@
 #include "geometry/bounds.h"
 
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
-#include "core/instantiate.h"
 #include "core/static_vector.h"
 
 namespace contactscope {

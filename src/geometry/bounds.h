@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-
 #include "geometry/obb.h"
 #include "geometry/shape.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "geometry/hull.h"
 
 namespace contactscope {

@@ -1,10 +1,5 @@
 #include "geometry/core_hull.h"
 
-#include <algorithm>
-#include <limits>
-#include <tuple>
-#include <utility>
-
 #include "core/at.h"
 #include "geometry/hull_builder.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/feature_id.h"
 #include "geometry/hull.h"
 

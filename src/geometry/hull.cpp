@@ -1,10 +1,5 @@
 #include "geometry/hull.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "core/instantiate.h"
 #include "geometry/box_topology.h"
 #include "geometry/lanes.h"
 

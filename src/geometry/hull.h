@@ -1,12 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <iterator>
-#include <vector>
-
 #include "core/at.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "core/vec3.h"
 
 namespace contactscope {

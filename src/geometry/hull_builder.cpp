@@ -1,16 +1,7 @@
 #include "geometry/hull_builder.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <functional>
-#include <numeric>
-#include <optional>
 #include <sstream>
-#include <string>
-#include <tuple>
-#include <utility>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"

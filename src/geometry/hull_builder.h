@@ -1,9 +1,5 @@
 #pragma once
 
-#include <limits>
-#include <span>
-#include <vector>
-
 #include "core/input_error.h"
 #include "core/vec3.h"
 #include "geometry/hull.h"

@@ -1,11 +1,6 @@
 #include "geometry/hull_builder.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <string>
 #include <unordered_map>
-#include <utility>
 
 #include "core/at.h"
 #include "core/manifold.h"

@@ -1,8 +1,5 @@
 #include "geometry/quickhull.h"
 
-#include <algorithm>
-#include <limits>
-
 // Face merging after Gregorius, "Implementing Quickhull", GDC 2014.
 //
 // Two neighbours are convex if the centroid of each lies below the plane of the other by more than

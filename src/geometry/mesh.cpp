@@ -1,16 +1,8 @@
 #include "geometry/mesh.h"
 
-#include <algorithm>
 #include <cassert>
-#include <limits>
-#include <numbers>
-#include <numeric>
-#include <string>
-#include <tuple>
-#include <utility>
 
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "geometry/mesh_seams.h"
 
 namespace contactscope {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "core/input_error.h"
 #include "core/vec3.h"
 #include "geometry/aabb_tree.h"

@@ -1,14 +1,7 @@
 #include "geometry/mesh_seams.h"
 
-#include <algorithm>
-#include <array>
-#include <iterator>
-#include <utility>
-#include <variant>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
-#include "core/instantiate.h"
 
 namespace contactscope {
 namespace {
@@ -285,8 +278,7 @@ void weld(Mesh<double>& mesh, double seam) {
   classify_edges(mesh);
 }
 
-CONTACTSCOPE_FLOAT_AND_DOUBLE(widest_seam);
-CONTACTSCOPE_FLOAT_AND_DOUBLE(edges_of_wide_triangles, find_seams);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(widest_seam, edges_of_wide_triangles, find_seams);
 
 std::vector<std::size_t> join_seams(std::span<const PlacedSurface> shapes) {
   std::vector<Surface> surfaces = mapped(shapes, surface_of);

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "core/pose.h"
 #include "geometry/mesh.h"
 #include "geometry/shape.h"

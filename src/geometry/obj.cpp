@@ -2,22 +2,14 @@
 
 #include <tiny_obj_loader.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <set>
 #include <sstream>
-#include <string_view>
 #include <system_error>
-#include <tuple>
-#include <utility>
 
 #include "core/at.h"
 #include "core/input_error.h"
-#include "core/input_file.h"
 #include "core/spell.h"
 #include "geometry/triangulate.h"
 

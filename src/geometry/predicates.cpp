@@ -1,11 +1,5 @@
 #include "geometry/predicates.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <optional>
-
 namespace contactscope::predicates {
 namespace {
 

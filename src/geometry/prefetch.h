@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <vector>
-
 #include "geometry/hull.h"
 
 /// Prefetches memory while the caller computes something else. Without it, the first query of a

@@ -1,13 +1,6 @@
 #include "geometry/primitives.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "core/manifold.h"
 #include "geometry/box_topology.h"

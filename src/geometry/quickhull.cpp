@@ -13,13 +13,8 @@
 // Deviations: a heap selects the faces; points of changed faces are redistributed too, because
 // their plane moved; step 7; the tolerance is limited by the thickness; and the result is verified.
 
-#include <algorithm>
-#include <limits>
-#include <numeric>
 #include <queue>
-#include <tuple>
 #include <unordered_set>
-#include <utility>
 
 namespace contactscope::quickhull {
 namespace {

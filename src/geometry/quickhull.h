@@ -1,12 +1,7 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <span>
-#include <vector>
-
 #include "core/at.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "core/vec3.h"
 #include "geometry/hull.h"
 

@@ -1,7 +1,5 @@
 #include "geometry/quickhull.h"
 
-#include <algorithm>
-
 #include "geometry/predicates.h"
 
 namespace contactscope::quickhull {

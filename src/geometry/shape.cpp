@@ -1,7 +1,5 @@
 #include "geometry/shape.h"
 
-#include <utility>
-
 namespace contactscope {
 namespace {
 

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <variant>
-
-#include "core/plane.h"
+#include "core/pose.h"
 #include "geometry/hull.h"
 #include "geometry/mesh.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "geometry/mesh.h"

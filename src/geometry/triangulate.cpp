@@ -1,11 +1,6 @@
 #include "geometry/triangulate.h"
 
-#include <algorithm>
 #include <cassert>
-#include <limits>
-#include <numeric>
-#include <set>
-#include <utility>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
-
 #include "core/vec3.h"
 #include "geometry/hull.h"
 

@@ -1,7 +1,5 @@
 #include "manifold/capabilities.h"
 
-#include <utility>
-
 #include "manifold/dispatch.h"
 
 namespace contactscope {

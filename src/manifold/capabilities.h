@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "geometry/shape.h"
 
 /// The capability map of collision detection as a table: the queries of a pair of shapes and the

@@ -1,8 +1,5 @@
 #include "manifold/clip.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace contactscope {
 namespace {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/at.h"
 #include "core/manifold.h"
 #include "query/hull_pair.h"

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "manifold/collide_pairs.h"
 #include "manifold/create_contact.h"
 #include "query/fast/face_bounds.h"
@@ -124,7 +120,6 @@ std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, cons
   return std::nullopt;
 }
 
-template decltype(collide_by_penetration<float>) collide_by_penetration<float>;
-template decltype(collide_by_penetration<double>) collide_by_penetration<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_by_penetration);
 
 }  // namespace contactscope

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <utility>
-
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"

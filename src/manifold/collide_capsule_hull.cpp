@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/capsule_sat.h"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstring>
-#include <optional>
-#include <vector>
 
 #include "geometry/shape.h"
 #include "manifold/recorder.h"

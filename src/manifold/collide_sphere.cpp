@@ -1,8 +1,3 @@
-#include <cmath>
-#include <limits>
-#include <optional>
-
-#include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"

@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include "manifold/collide_pairs.h"
 #include "manifold/field_contact.h"
 #include "manifold/in_double.h"
@@ -337,7 +331,6 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
   return least;
 }
 
-template decltype(collide_with_field<float>) collide_with_field<float>;
-template decltype(collide_with_field<double>) collide_with_field<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_with_field);
 
 }  // namespace contactscope

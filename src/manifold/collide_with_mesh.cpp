@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <limits>
-#include <optional>
-
-#include "core/instantiate.h"
 #include "geometry/mesh.h"
 #include "geometry/prefetch.h"
 #include "manifold/collide_pairs.h"

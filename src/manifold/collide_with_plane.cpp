@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "core/instantiate.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/tolerance.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-#include <optional>
-
 #include "geometry/mesh.h"
 #include "geometry/triangle_hull.h"
 #include "manifold/collide_pairs.h"

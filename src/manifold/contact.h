@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "core/manifold.h"
-#include "core/plane.h"
 #include "core/pose.h"
 
 namespace contactscope {

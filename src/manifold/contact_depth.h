@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "core/manifold.h"
 #include "manifold/pair_cache.h"
 #include "query/tolerance.h"

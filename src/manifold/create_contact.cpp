@@ -1,10 +1,5 @@
 #include "manifold/create_contact.h"
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-
-#include "core/instantiate.h"
 #include "manifold/contact_depth.h"
 #include "manifold/edge_contact.h"
 #include "manifold/recorder.h"

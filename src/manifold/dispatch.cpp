@@ -1,7 +1,5 @@
 #include "manifold/dispatch.h"
 
-#include <algorithm>
-
 #include "geometry/prefetch.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/fast/collide_box_box.h"
@@ -247,7 +245,6 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
   work_in_order<S>({a, pose_a, b, pose_b, cache}, swapped, options, manifolds, record, work);
 }
 
-template decltype(collide<float>) collide<float>;
-template decltype(collide<double>) collide<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide);
 
 }  // namespace contactscope

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 #include "core/at.h"
 #include "core/manifold.h"
 #include "core/pose.h"

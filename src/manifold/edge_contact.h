@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "manifold/contact.h"
 #include "query/sat.h"
 

@@ -1,12 +1,6 @@
 #include "manifold/field_contact.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <queue>
-#include <utility>
 
 #include "core/at.h"
 #include "query/gjk.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "field/distance_field.h"
 #include "manifold/collide_options.h"
 #include "trace/field_slice.h"

@@ -1,11 +1,6 @@
 #include "manifold/flip_distance.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <random>
-#include <vector>
 
 #include "core/random.h"
 #include "geometry/bounds.h"
@@ -128,7 +123,6 @@ trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<
   return found;
 }
 
-template decltype(flip_distance<float>) flip_distance<float>;
-template decltype(flip_distance<double>) flip_distance<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(flip_distance);
 
 }  // namespace contactscope

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/pose.h"
 #include "geometry/shape.h"
 #include "manifold/collide_options.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <limits>
-
 #include "manifold/collide_pairs.h"
 #include "manifold/create_contact.h"
 #include "manifold/internal_edges.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "core/pose.h"
 #include "geometry/shape.h"
 #include "query/tolerance.h"

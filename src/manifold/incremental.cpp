@@ -1,9 +1,5 @@
 #include "manifold/incremental.h"
 
-#include <algorithm>
-#include <optional>
-
-#include "core/instantiate.h"
 #include "geometry/core_hull.h"
 #include "manifold/incremental_step.h"
 #include "manifold/recorder.h"

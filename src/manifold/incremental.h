@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "core/static_vector.h"
 #include "manifold/dispatch.h"
 

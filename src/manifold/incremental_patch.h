@@ -1,12 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "core/convex_polygon.h"
 #include "core/static_vector.h"
 #include "manifold/incremental.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "manifold/incremental_patch.h"
 #include "manifold/round_contact.h"
 

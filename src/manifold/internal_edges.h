@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-
 #include "core/pack.h"
 #include "core/static_vector.h"
 #include "geometry/lanes.h"

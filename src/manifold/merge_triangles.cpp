@@ -1,15 +1,7 @@
 #include "manifold/merge_triangles.h"
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <tuple>
-
 #include "core/convex_polygon.h"
-#include "core/instantiate.h"
-#include "core/scratch.h"
+#include "core/static_vector.h"
 #include "geometry/box_topology.h"
 #include "manifold/collide_pairs.h"
 #include "query/tolerance.h"

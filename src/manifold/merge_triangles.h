@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <memory_resource>
-#include <span>
-#include <vector>
 
 #include "geometry/shape.h"
 #include "manifold/contact.h"

@@ -1,9 +1,5 @@
 #include "manifold/pair_cache.h"
 
-#include <algorithm>
-#include <limits>
-
-#include "core/instantiate.h"
 #include "manifold/contact_depth.h"
 #include "manifold/create_contact.h"
 #include "manifold/edge_contact.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/manifold.h"
 #include "core/pose.h"
 #include "manifold/collide_options.h"

@@ -1,8 +1,5 @@
 #include "manifold/pair_query.h"
 
-#include <utility>
-
-#include "core/instantiate.h"
 #include "manifold/in_double.h"
 #include "manifold/queried_pair.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "geometry/bounds.h"
 #include "manifold/capabilities.h"
 #include "manifold/dispatch.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "manifold/pair_query.h"
 #include "manifold/recorder.h"
 #include "query/support_set.h"

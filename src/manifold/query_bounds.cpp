@@ -1,6 +1,5 @@
 #include <array>
 
-#include "core/instantiate.h"
 #include "manifold/queried_pair.h"
 
 namespace contactscope {

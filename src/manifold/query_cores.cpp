@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include "core/instantiate.h"
 #include "geometry/triangle_hull.h"
 #include "manifold/queried_pair.h"
 #include "query/mesh_overlap.h"

@@ -1,10 +1,6 @@
 #include "manifold/recorder.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "geometry/hull_builder.h"
 #include "manifold/dispatch.h"
 #include "manifold/edge_contact.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "geometry/mesh.h"
 #include "manifold/clip.h"
 #include "manifold/collide_options.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "core/pack.h"
 #include "core/pose.h"
 #include "geometry/hull.h"

@@ -1,12 +1,9 @@
-#include <cmath>
-#include <stdexcept>
-
+#include "package/contactscope/collide.h"
 #include "core/at.h"
 #include "core/input_error.h"
 #include "geometry/hull_builder.h"
 #include "geometry/primitives.h"
 #include "manifold/dispatch.h"
-#include "package/contactscope/collide.h"
 #include "package/contactscope/reduce.h"
 #include "package/facts.h"
 #include "reduce/reducer.h"

@@ -1,10 +1,5 @@
 #include "package/facts.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <stdexcept>
-
 #include "core/at.h"
 #include "core/key_table.h"
 #include "core/spell.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/pose.h"
 #include "geometry/shape.h"
 #include "image/image.h"

@@ -1,8 +1,5 @@
 #include "package/contactscope/render.h"
 
-#include <algorithm>
-#include <stdexcept>
-
 #include "core/at.h"
 #include "draw/staging.h"
 #include "gl/rasterizer.h"

@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"

@@ -1,10 +1,6 @@
 #include "query/capsule_sat.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "geometry/lanes.h"
 #include "query/closest_points.h"
 #include "query/fast/point_faces.h"

@@ -1,10 +1,5 @@
 #include "query/closest_points.h"
 
-#include <algorithm>
-#include <limits>
-#include <span>
-
-#include "core/instantiate.h"
 #include "core/pack.h"
 #include "query/tolerance.h"
 

@@ -1,8 +1,5 @@
 #include "query/polytope.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace contactscope {
 namespace {
 
@@ -275,7 +272,6 @@ PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const P
   return expand(start, options, difference, steps);
 }
 
-template decltype(epa<float>) epa<float>;
-template decltype(epa<double>) epa<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(epa);
 
 }  // namespace contactscope

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "query/sat.h"
 #include "query/support_set.h"
 
@@ -171,7 +167,6 @@ S far_separation(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
   return search.bound;
 }
 
-template decltype(far_separation<float>) far_separation<float>;
-template decltype(far_separation<double>) far_separation<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(far_separation);
 
 }  // namespace contactscope

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "core/at.h"
 #include "geometry/hull.h"
 

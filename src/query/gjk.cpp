@@ -1,9 +1,5 @@
 #include "query/gjk.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 #include "query/penetration_bounds.h"
 #include "query/simplex.h"
@@ -174,7 +170,6 @@ GjkResult<S> gjk(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& 
   return ended(GjkStatus::OutOfIterations, kMaxGjkIterations);
 }
 
-template decltype(gjk<float>) gjk<float>;
-template decltype(gjk<double>) gjk<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(gjk);
 
 }  // namespace contactscope

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "core/pose.h"
 #include "core/static_vector.h"
 #include "query/support_set.h"

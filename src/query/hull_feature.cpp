@@ -1,8 +1,5 @@
 #include "query/hull_feature.h"
 
-#include <algorithm>
-
-#include "core/instantiate.h"
 #include "core/static_vector.h"
 
 namespace contactscope {
@@ -121,7 +118,7 @@ ClippedSegment<S> clip_to_edge(const Hull<S>& hull, int half_edge, const Vec3<S>
   return clipped;
 }
 
-CONTACTSCOPE_FLOAT_AND_DOUBLE(feature_of_b, nearest_outside_edge, projects_into);
-CONTACTSCOPE_FLOAT_AND_DOUBLE(clip_to_prism, clip_to_edge);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(feature_of_b, nearest_outside_edge, projects_into, clip_to_prism,
+                              clip_to_edge);
 
 }  // namespace contactscope

@@ -1,7 +1,5 @@
 #include "query/hull_pair.h"
 
-#include <algorithm>
-
 #include "core/pack.h"
 
 namespace contactscope {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "core/at.h"
-#include "core/plane.h"
 #include "core/pose.h"
-#include "core/scratch.h"
+#include "core/static_vector.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 

@@ -1,11 +1,6 @@
 #include "query/mesh_overlap.h"
 
-#include <algorithm>
-#include <type_traits>
-#include <utility>
-
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "core/pack.h"
 
 namespace contactscope {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 #include "core/pose.h"
 #include "geometry/aabb_tree.h"
 #include "geometry/mesh.h"

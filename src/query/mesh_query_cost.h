@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-
 #include "query/mesh_overlap.h"
 
 namespace contactscope {

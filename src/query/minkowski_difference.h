@@ -1,12 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <limits>
-#include <type_traits>
-
 #include "core/at.h"
 #include "core/pose.h"
 #include "query/gjk.h"

@@ -1,9 +1,5 @@
 #include "query/penetration_bounds.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "core/at.h"
 
 namespace contactscope {
@@ -168,7 +164,6 @@ PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const P
   return difference.result(status, S(0), iterations);
 }
 
-template decltype(mpr<float>) mpr<float>;
-template decltype(mpr<double>) mpr<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(mpr);
 
 }  // namespace contactscope

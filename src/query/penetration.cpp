@@ -1,8 +1,5 @@
 #include "query/penetration.h"
 
-#include <algorithm>
-
-#include "core/instantiate.h"
 #include "query/capsule_sat.h"
 #include "query/closest_points.h"
 #include "query/penetration_bounds.h"

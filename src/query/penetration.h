@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "core/manifold.h"
 #include "query/gjk.h"
 #include "query/support_set.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 #include "query/minkowski_difference.h"
 #include "query/penetration.h"

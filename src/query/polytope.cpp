@@ -1,7 +1,5 @@
 #include "query/polytope.h"
 
-#include <limits>
-
 namespace contactscope {
 namespace {
 

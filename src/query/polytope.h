@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "core/at.h"
 #include "core/static_vector.h"
 #include "query/penetration_bounds.h"

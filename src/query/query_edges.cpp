@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 #include "query/fast/face_bounds.h"
 #include "query/gauss_map.h"

@@ -1,8 +1,4 @@
-#include "core/instantiate.h"
 #include "query/penetration_bounds.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace contactscope {
 namespace {

@@ -1,7 +1,5 @@
 #include "query/sat.h"
 
-#include <algorithm>
-
 #include "query/fast/face_bounds.h"
 #include "query/support_set.h"
 #include "query/tolerance.h"
@@ -191,7 +189,6 @@ FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& ot
   return best;
 }
 
-template decltype(query_faces<float>) query_faces<float>;
-template decltype(query_faces<double>) query_faces<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(query_faces);
 
 }  // namespace contactscope

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <limits>
-#include <vector>
-
 #include "core/manifold.h"
 #include "query/hull_pair.h"
 

@@ -1,9 +1,5 @@
 #include "query/simplex.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 #include "query/tolerance.h"
 
@@ -275,7 +271,6 @@ void nearest_on_simplex(const std::array<Vec3<S>, 4>& points, int count, S scale
   nearest.offer_edges_and_vertex(count - 1);
 }
 
-template decltype(nearest_on_simplex<float>) nearest_on_simplex<float>;
-template decltype(nearest_on_simplex<double>) nearest_on_simplex<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(nearest_on_simplex);
 
 }  // namespace contactscope

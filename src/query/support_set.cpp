@@ -1,11 +1,5 @@
 #include "query/support_set.h"
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-
-#include "core/instantiate.h"
 #include "core/pack.h"
 #include "geometry/lanes.h"
 

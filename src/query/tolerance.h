@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/manifold.h"
 
 /// Tolerances of the separating axis test and of the code based on it. All are relative: those for

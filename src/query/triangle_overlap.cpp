@@ -1,9 +1,6 @@
 #include "query/triangle_overlap.h"
 
-#include <algorithm>
-
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "core/static_vector.h"
 #include "geometry/predicates.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "core/vec3.h"
 
 namespace contactscope {

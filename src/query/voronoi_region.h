@@ -1,8 +1,5 @@
 #pragma once
 
-#include <limits>
-#include <optional>
-
 #include "query/hull_feature.h"
 
 namespace contactscope {

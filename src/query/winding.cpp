@@ -1,9 +1,6 @@
 #include "query/winding.h"
 
-#include <limits>
-
 #include "core/at.h"
-#include "core/instantiate.h"
 #include "geometry/predicates.h"
 #include "query/mesh_overlap.h"
 

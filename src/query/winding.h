@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/pose.h"
 #include "geometry/mesh.h"
 

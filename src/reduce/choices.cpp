@@ -1,7 +1,5 @@
 #include "reduce/choices.h"
 
-#include <algorithm>
-
 namespace contactscope {
 
 template <class Value>

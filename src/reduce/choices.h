@@ -1,8 +1,6 @@
 #pragma once
 
 #include <initializer_list>
-#include <span>
-#include <vector>
 
 #include "reduce/steps.h"
 #include "trace/trace.h"

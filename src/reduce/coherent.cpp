@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <vector>
-
 #include "reduce/optimal_ring.h"
 #include "reduce/steps.h"
 

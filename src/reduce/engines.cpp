@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <tuple>
-#include <utility>
-
 #include "core/convex_polygon.h"
 #include "reduce/grow.h"
 #include "reduce/steps.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "reduce/choices.h"
 #include "reduce/steps.h"
 

@@ -1,11 +1,7 @@
 #include "reduce/optimal_ring.h"
 
-#include <bit>
-#include <limits>
-
 #include "core/at.h"
-#include "core/instantiate.h"
-#include "core/scratch.h"
+#include "core/static_vector.h"
 
 namespace contactscope {
 namespace {

@@ -1,11 +1,6 @@
 #include "reduce/optimal_ring.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstring>
-#include <limits>
-#include <tuple>
 
 namespace contactscope {
 namespace {

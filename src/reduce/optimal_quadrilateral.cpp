@@ -1,8 +1,3 @@
-#include <bit>
-#include <cstdint>
-#include <utility>
-
-#include "core/instantiate.h"
 #include "reduce/optimal_ring.h"
 
 namespace contactscope {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "core/convex_polygon.h"
 #include "core/pack.h"
 #include "core/static_vector.h"

@@ -1,9 +1,5 @@
 #include "reduce/polygon_area.h"
 
-#include <algorithm>
-#include <limits>
-#include <vector>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
 

@@ -1,9 +1,5 @@
 #include "reduce/reducer.h"
 
-#include <algorithm>
-#include <iterator>
-#include <type_traits>
-
 #include "reduce/steps.h"
 
 namespace contactscope {
@@ -39,7 +35,6 @@ KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Ve
   if constexpr (std::is_same_v<S, double>) return reducer->in_double(points, normal, options);
 }
 
-template decltype(reduce<float>) reduce<float>;
-template decltype(reduce<double>) reduce<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(reduce);
 
 }  // namespace contactscope

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/manifold.h"
 #include "core/pack.h"
 #include "core/static_vector.h"

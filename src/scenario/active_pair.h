@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
 #include "broadphase/broad_phase.h"
 #include "dynamics/solver.h"
 #include "manifold/dispatch.h"

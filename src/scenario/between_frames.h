@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <utility>
-#include <vector>
-
 #include "continuous/impact_of_shapes.h"
 #include "continuous/motion_bounds.h"
 #include "core/at.h"

@@ -1,9 +1,6 @@
 #include "scenario/deform.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <numbers>
 
 #include "core/at.h"
 #include "scenario/scenario.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <variant>
-#include <vector>
-
 #include "core/vec3.h"
 
 /// Deformation of a mesh over time, in its own frame: motion.deform of a scenario file. The rest

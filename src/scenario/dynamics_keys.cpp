@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "dynamics/body.h"
 #include "scenario/readers.h"
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "core/spell.h"
 #include "manifold/pair_query.h"

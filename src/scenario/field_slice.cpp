@@ -1,8 +1,5 @@
 #include "scenario/run_facts.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace contactscope {
 
 Vec3d facing_slices(const Scenario& scenario) {

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <span>
-
 #include "scenario/readers.h"
 
 namespace contactscope::scenario_file {

@@ -1,5 +1,3 @@
-#include <vector>
-
 #include "continuous/impact_of_shapes.h"
 #include "continuous/impact_with_mesh.h"
 #include "core/at.h"

@@ -1,8 +1,5 @@
 #include "scenario/pair_chooser.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "core/at.h"
 
 namespace contactscope {

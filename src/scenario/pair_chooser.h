@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <vector>
-
 #include "broadphase/broad_phase.h"
 #include "scenario/scenario.h"
 #include "trace/trace.h"

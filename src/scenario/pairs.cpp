@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <map>
-#include <numeric>
-#include <set>
-#include <tuple>
-
 #include "broadphase/broad_phase.h"
 #include "core/at.h"
 #include "manifold/dispatch.h"

@@ -1,5 +1,3 @@
-#include <cmath>
-#include <numbers>
 #include <random>
 
 #include "core/random.h"

@@ -1,13 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include <toml++/toml.h>
 

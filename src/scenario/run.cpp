@@ -1,10 +1,6 @@
 #include "scenario/run.h"
 
-#include <algorithm>
 #include <cassert>
-#include <optional>
-#include <set>
-#include <utility>
 
 #include "broadphase/broad_phase.h"
 #include "core/at.h"

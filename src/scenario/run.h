@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "scenario/scenario.h"
 #include "trace/trace.h"
 

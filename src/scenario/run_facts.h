@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 #include "core/at.h"
 #include "dynamics/sleep.h"
 #include "dynamics/solver.h"

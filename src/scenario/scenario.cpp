@@ -1,13 +1,11 @@
 #include "scenario/scenario.h"
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 #include <system_error>
 
-#include "core/input_file.h"
+#include "core/input_error.h"
 #include "core/spell.h"
 #include "scenario/readers.h"
 #include "scenario/words_file.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "continuous/impact_of_shapes.h"
 #include "core/at.h"
 #include "core/manifold.h"

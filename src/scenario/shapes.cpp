@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <set>
 #include <system_error>
 
 #include "core/at.h"

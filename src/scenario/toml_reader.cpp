@@ -1,8 +1,6 @@
 #include "scenario/readers.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <sstream>
 
 #include "core/at.h"

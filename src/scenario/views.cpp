@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-
 #include "scenario/readers.h"
 #include "view/title.h"
 

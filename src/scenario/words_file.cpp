@@ -1,7 +1,5 @@
 #include "scenario/words_file.h"
 
-#include <algorithm>
-
 #include "scenario/readers.h"
 
 namespace contactscope {

@@ -1,8 +1,6 @@
 #include "shrink/shrink.h"
 
-#include <algorithm>
 #include <cctype>
-#include <limits>
 
 #include "core/input_error.h"
 #include "find/finder.h"

@@ -1,8 +1,5 @@
 #include "shrink/shrink.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "core/at.h"
 #include "core/spell.h"
 

@@ -1,10 +1,6 @@
 #include "shrink/shrink.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <numbers>
-#include <tuple>
 
 #include "core/at.h"
 #include "core/spell.h"

@@ -1,13 +1,6 @@
 #pragma once
 
-#include <array>
-#include <functional>
-#include <map>
-#include <optional>
-#include <string>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 #include "core/pose.h"
 #include "find/expression.h"

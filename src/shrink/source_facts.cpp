@@ -1,6 +1,5 @@
 #include "shrink/shrink.h"
 
-#include <algorithm>
 #include <cctype>
 
 namespace contactscope::shrink {

@@ -1,8 +1,5 @@
 #include "study/broad_phase_study.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <random>
 
 #include "core/at.h"

@@ -1,9 +1,4 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <random>
-#include <string>
 
 #include "core/at.h"
 #include "field/distance_field.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <optional>
-
 #include "core/pose.h"
 
 /// Lecture 3.4, "Box-Box Contacts": the contact of two boxes by trying all corners and all edges.

@@ -1,8 +1,6 @@
 #include "study/exploration.h"
 
-#include <limits>
 #include <mutex>
-#include <tuple>
 
 #include "core/workers.h"
 #include "scenario/run.h"

@@ -1,14 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <functional>
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/at.h"
 #include "core/manifold.h"
 #include "reduce/polygon_area.h"

@@ -1,8 +1,6 @@
 #include "study/field_peer.h"
 
-#include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "versus/request.h"
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <map>
-
 #include "scenario/run.h"
 #include "study/study.h"
 

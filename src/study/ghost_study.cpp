@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "core/at.h"
 #include "dynamics/solver.h"
 #include "geometry/hull_builder.h"

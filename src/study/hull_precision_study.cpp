@@ -1,6 +1,3 @@
-#include <cmath>
-#include <optional>
-
 #include "manifold/collide_pairs.h"
 #include "query/sat.h"
 #include "study/random_cases.h"

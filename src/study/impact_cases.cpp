@@ -1,8 +1,5 @@
 #include "study/impact_cases.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "continuous/impact.h"
 #include "core/at.h"
 #include "study/random_cases.h"

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <random>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "continuous/motion_bounds.h"
 #include "geometry/hull.h"

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include "geometry/primitives.h"
 #include "manifold/dispatch.h"
 #include "study/limits_study.h"

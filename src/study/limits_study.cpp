@@ -1,8 +1,5 @@
 #include "study/limits_study.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "core/workers.h"
 #include "study/random_cases.h"

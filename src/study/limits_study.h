@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "core/pose.h"
 #include "geometry/shape.h"

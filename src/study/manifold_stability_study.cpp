@@ -1,10 +1,5 @@
 #include "study/manifold_stability_study.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include "core/at.h"
 #include "dynamics/sleep.h"
 #include "dynamics/solver.h"

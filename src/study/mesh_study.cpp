@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-
 #include "core/at.h"
 #include "query/mesh_query_cost.h"
 #include "study/random_cases.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "geometry/primitives.h"
 #include "query/overlap.h"

@@ -1,6 +1,3 @@
-#include <cmath>
-#include <limits>
-
 #include "query/penetration.h"
 #include "study/random_cases.h"
 #include "study/study.h"

@@ -1,13 +1,5 @@
 #include "study/picture.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <stdexcept>
-#include <string_view>
-#include <tuple>
-
 #include "core/spell.h"
 
 namespace contactscope::record {

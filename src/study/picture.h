@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "trace/study.h"
 
 /// Plots of studies. The title is the result, with numbers read from the study itself, so they

@@ -1,9 +1,5 @@
 #include "study/picture.h"
 
-#include <functional>
-#include <map>
-#include <stdexcept>
-
 #include "core/at.h"
 #include "core/spell.h"
 #include "study/solver_stack.h"

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "core/at.h"
 #include "core/spell.h"
 #include "study/picture.h"

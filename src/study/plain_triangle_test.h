@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <type_traits>
-
 #include "query/triangle_overlap.h"
 #include "trace/study.h"
 

@@ -1,11 +1,5 @@
 #include "study/random_cases.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include "core/at.h"
 #include "geometry/hull_builder.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <random>
-#include <vector>
 
 #include "core/random.h"
 #include "geometry/mesh.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <span>
-
 #include "core/at.h"
 #include "reduce/reducer.h"
 #include "study/exploration.h"

@@ -1,10 +1,5 @@
 #include "study/exploration.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "reduce/polygon_area.h"

@@ -1,9 +1,5 @@
 #include "study/separation_oracle.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 
 namespace contactscope {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <utility>
-#include <vector>
-
 #include "core/pose.h"
 #include "geometry/obb.h"
 #include "geometry/shape.h"

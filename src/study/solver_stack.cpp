@@ -1,8 +1,5 @@
 #include "study/solver_stack.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "geometry/primitives.h"
 #include "study/random_cases.h"

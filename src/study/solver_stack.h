@@ -1,9 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "dynamics/solver.h"
 #include "dynamics/solver_settings.h"

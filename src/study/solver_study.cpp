@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <mutex>
-#include <numeric>
 
 #include "core/workers.h"
 #include "study/random_cases.h"

@@ -1,6 +1,5 @@
 #include "study/study.h"
 
-#include <array>
 #include <ctime>
 #include <fstream>
 

@@ -1,7 +1,3 @@
-#include <array>
-#include <cstdint>
-#include <limits>
-
 #include "query/triangle_overlap.h"
 #include "study/plain_triangle_test.h"
 #include "study/random_cases.h"

@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <optional>
-
 #include "continuous/impact_of_shapes.h"
 #include "core/at.h"
 #include "geometry/primitives.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "trace/shape.h"
 
 namespace contactscope::trace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "core/vec3.h"
 #include "trace/field.h"
 

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-
 #include "trace/find.h"
 #include "trace/trace.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "trace/trace.h"
 
 /// The points that each reducer keeps of the same input. README.md, "Exploration".

@@ -1,13 +1,6 @@
 #pragma once
 
-#include <array>
 #include <concepts>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
 
 #include "trace/stage.h"
 

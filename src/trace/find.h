@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <set>
-#include <string>
-
 #include "trace/trace.h"
 
 /// Lookups in the facts of a frame.

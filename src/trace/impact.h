@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/vec3.h"
 #include "trace/field.h"
 

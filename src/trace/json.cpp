@@ -1,6 +1,5 @@
 #include "trace/json.h"
 
-#include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
 

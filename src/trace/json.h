@@ -1,8 +1,6 @@
 #pragma once
 
 #include <iosfwd>
-#include <string>
-#include <vector>
 
 #include "trace/trace.h"
 

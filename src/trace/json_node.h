@@ -1,16 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include <simdjson.h>
+
+#include "core/standard.h"
 
 namespace contactscope::trace {
 

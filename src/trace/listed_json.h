@@ -1,14 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <concepts>
-#include <functional>
-#include <map>
 #include <ranges>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 
 #include <nlohmann/json.hpp>
 

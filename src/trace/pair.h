@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "trace/clip.h"
 #include "trace/contact.h"
 #include "trace/decision.h"

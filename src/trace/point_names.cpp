@@ -1,14 +1,10 @@
 #include "trace/point_names.h"
 
-#include <algorithm>
-#include <limits>
-#include <string_view>
 #include <unordered_map>
-#include <vector>
 
 #include "core/at.h"
 #include "core/feature_id.h"
-#include "core/plane.h"
+#include "core/pose.h"
 
 // Seen along the normal, a clipped point is where two edges cross: one edge of each shape, two
 // edges of the incident face at a vertex inside, or two of the reference face (Catto 2007,

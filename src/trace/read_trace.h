@@ -1,12 +1,7 @@
 #pragma once
 
-#include <functional>
 #include <ios>
 #include <iosfwd>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "core/workers.h"
 #include "trace/json.h"

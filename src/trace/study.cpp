@@ -1,10 +1,6 @@
 #include "trace/study.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <stdexcept>
 
 namespace contactscope::trace {
 namespace {

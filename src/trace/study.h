@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "trace/field.h"
 
 /// Measurements of a study: error against run time, one series per method. README.md, "Study",

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 #include "core/pose.h"
 #include "trace/pair.h"

@@ -1,9 +1,5 @@
 #include "versus/comparison.h"
 
-#include <algorithm>
-#include <map>
-#include <set>
-
 #include "trace/find.h"
 #include "trace/point_names.h"
 #include "versus/request.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "lint/linter.h"
 #include "trace/json.h"
 

@@ -1,10 +1,5 @@
 #include "versus/rollout.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-
 #include "core/at.h"
 #include "lint/claims.h"
 #include "lint/own_contacts.h"

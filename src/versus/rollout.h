@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "versus/comparison.h"
 
 /// Evaluates bodies that each engine stepped by itself.

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
+#include "core/standard.h"
 
 /// Layers of a view, in drawing order. A row has the enumerator and the name used in scenarios and
 /// on the command line. Each layer has its own file in render/draw/layers, which defines

@@ -1,7 +1,6 @@
 #include "view/title.h"
 #include "core/spell.h"
 
-#include <algorithm>
 #include <charconv>
 
 namespace contactscope {

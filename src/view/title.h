@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "core/standard.h"
 
 /// Titles that state a result: text with placeholders, filled from the facts of the drawn frame.
 ///

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/vec3.h"
 #include "view/layers.h"
 

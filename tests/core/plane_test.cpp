@@ -1,4 +1,4 @@
-#include "core/plane.h"
+#include "core/pose.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Pictures of queries other than manifolds, from facts by hand.
 
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/plane.h"
+#include "core/pose.h"
 #include "draw/crate_on_slab.h"
 #include "draw/scene/palette.h"
 

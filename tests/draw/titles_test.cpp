@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "crate_on_slab.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {

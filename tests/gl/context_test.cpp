@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "gl/functions.h"
 #include "gl/painting.h"
 #include "gl/sample_drawing.h"
 #include "support/osmesa.h"

@@ -5,7 +5,7 @@
 #include <exception>
 #include <string_view>
 
-#include "gl/functions.h"
+#include "gl/context.h"
 #include "gl/rasterizer.h"
 #include "gl/sample_drawing.h"
 

@@ -1,4 +1,4 @@
-#include "snapshot/brittle.h"
+#include "snapshot/compare_trace.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,5 @@
 #include "draw/charts/axis.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "draw/scene/quantity.h"
 #include "trace/study.h"
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
+#include "core/standard.h"
 #include "draw/scene/drawing.h"
 
 namespace contactscope::draw {

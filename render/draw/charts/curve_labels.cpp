@@ -1,9 +1,6 @@
 #include "draw/charts/curve_labels.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
 #include <sstream>
 
 #include "core/at.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "draw/scene/labels.h"
 #include "draw/scene/pen.h"
 

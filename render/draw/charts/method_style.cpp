@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-
 #include "core/at.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"

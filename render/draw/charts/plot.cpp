@@ -1,11 +1,7 @@
 #include "draw/charts/plot.h"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "draw/scene/layout.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 

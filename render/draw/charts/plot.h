@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/at.h"
 #include "draw/charts/axis.h"
 #include "draw/scene/pen.h"

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "core/at.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"

@@ -1,9 +1,4 @@
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
-#include <optional>
-#include <set>
 
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"

@@ -1,7 +1,5 @@
 #include "draw/charts/plot.h"
 
-#include <algorithm>
-
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-
 #include "core/at.h"
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"

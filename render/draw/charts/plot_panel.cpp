@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"

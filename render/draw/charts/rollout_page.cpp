@@ -1,8 +1,5 @@
 #include "draw/charts/rollout_page.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "draw/charts/plot.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"

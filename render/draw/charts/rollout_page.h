@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "draw/scene/drawing.h"
 #include "trace/study.h"
 

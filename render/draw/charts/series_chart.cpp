@@ -1,10 +1,5 @@
 #include "draw/charts/series_chart.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-
 #include "draw/charts/axis.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "draw/scene/pen.h"
 #include "trace/trace.h"
 

@@ -1,14 +1,5 @@
 #include "draw/charts/series_chart.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <set>
-#include <string_view>
-#include <utility>
-
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "view/words.h"
 

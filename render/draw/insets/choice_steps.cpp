@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/labels.h"

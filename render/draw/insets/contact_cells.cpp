@@ -1,8 +1,5 @@
 #include "draw/insets/contact_cells.h"
 
-#include <algorithm>
-#include <numeric>
-
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/at.h"
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"

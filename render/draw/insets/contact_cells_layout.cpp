@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
 

@@ -1,10 +1,5 @@
-#include <algorithm>
-#include <set>
-#include <string_view>
-
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "view/words.h"

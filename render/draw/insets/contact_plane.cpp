@@ -1,9 +1,5 @@
 #include "draw/insets/contact_plane.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include "core/at.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/pairs.h"

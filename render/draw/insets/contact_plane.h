@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/convex_polygon.h"
 #include "core/vec3.h"
 #include "draw/scene/camera.h"

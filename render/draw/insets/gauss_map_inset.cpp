@@ -1,12 +1,4 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <optional>
-#include <set>
-
 #include "draw/insets/inset.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"

@@ -1,9 +1,5 @@
 #include "draw/insets/inset.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "draw/scene/pen.h"
 
 namespace contactscope::draw {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "draw/scene/layout.h"
 #include "draw/scene/scene.h"
 

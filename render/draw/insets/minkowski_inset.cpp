@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <set>
-
 #include "core/at.h"
 #include "draw/insets/inset.h"
 #include "draw/scene/clip_story.h"

@@ -1,11 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <map>
-#include <numeric>
-#include <optional>
-#include <span>
-#include <string>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/tree_levels.h"

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/clip_story.h"
 #include "draw/scene/clipped_segment.h"

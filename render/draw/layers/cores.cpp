@@ -1,14 +1,7 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <tuple>
-
 #include "core/at.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"

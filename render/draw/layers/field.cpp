@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <set>
-#include <vector>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"

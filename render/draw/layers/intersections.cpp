@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <set>
-#include <utility>
-#include <vector>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/points.h"
 

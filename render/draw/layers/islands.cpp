@@ -1,10 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <string_view>
-#include <vector>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "draw/scene/scene.h"
 #include "view/layers.h"
 

@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/home_region.h"
 #include "draw/scene/pairs.h"

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/quantity.h"
 

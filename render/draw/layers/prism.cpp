@@ -1,10 +1,6 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "draw/layers/layer.h"
-#include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/solid.h"
 
 /// Positions of a ball's centre at which it touches a triangle: a prism with rounded edges. Its
 /// flat sides belong to the face, its cylinders to the edges, its spheres to the vertices. A swept

@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <array>
-
 #include "draw/layers/layer.h"
-#include "draw/scene/ghost.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"

@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 

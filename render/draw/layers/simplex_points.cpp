@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <numeric>
-#include <set>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/clip_story.h"
 #include "draw/scene/quantity.h"

@@ -1,10 +1,5 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <set>
-
 #include "draw/layers/layer.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {

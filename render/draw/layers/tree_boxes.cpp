@@ -1,8 +1,6 @@
-#include <algorithm>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "view/words.h"

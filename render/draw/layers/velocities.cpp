@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <set>
-#include <string_view>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"

@@ -1,10 +1,6 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/solid.h"
 
 /// Bounds that were queried instead of the shapes: boxes and balls in the colour of the answer.

@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <cmath>
-
 #include "draw/panels/panel.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 

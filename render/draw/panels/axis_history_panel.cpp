@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <span>
-
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
 

@@ -1,11 +1,5 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
-
 #include "draw/panels/panel.h"
 #include "draw/scene/outlines.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"

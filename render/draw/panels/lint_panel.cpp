@@ -1,11 +1,9 @@
-#include <algorithm>
-
 #include "draw/panels/panel.h"
-#include "draw/scene/ghost.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/solid.h"
 #include "view/words.h"
 
 namespace contactscope::draw {

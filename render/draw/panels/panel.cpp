@@ -1,8 +1,5 @@
 #include "draw/panels/panel.h"
 
-#include <algorithm>
-#include <numeric>
-
 namespace contactscope::draw {
 
 const PanelDrawing kMinkowskiPanel{

@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <cstdint>
-
 #include "draw/panels/panel.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "image/font.h"
 

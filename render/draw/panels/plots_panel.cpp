@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <functional>
-#include <optional>
-
 #include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/quantity.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "draw/panels/panel.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/quantity.h"

@@ -1,13 +1,6 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string_view>
-
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <map>
-
 #include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"

@@ -1,12 +1,5 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <numeric>
-#include <span>
-
 #include "draw/panels/panel.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 

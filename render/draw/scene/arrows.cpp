@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "draw/scene/quantity.h"
 #include "draw/scene/scene.h"
 

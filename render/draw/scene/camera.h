@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "core/convex_polygon.h"
 #include "core/vec3.h"
 #include "draw/scene/drawing.h"

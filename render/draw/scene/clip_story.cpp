@@ -1,10 +1,7 @@
 #include "draw/scene/clip_story.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 

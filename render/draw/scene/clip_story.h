@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "draw/scene/scene.h"
 #include "trace/trace.h"
 #include "view/view.h"

@@ -1,8 +1,5 @@
 #include "draw/scene/clipped_segment.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace contactscope::draw {
 namespace {
 

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <span>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "draw/scene/labels.h"

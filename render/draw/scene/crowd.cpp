@@ -1,10 +1,6 @@
-#include <algorithm>
-#include <cmath>
-
-#include "draw/scene/ghost.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 #include "draw/scene/visibility.h"

@@ -1,13 +1,9 @@
 #include "draw/scene/visibility.h"
 
-#include <algorithm>
-#include <cmath>
 #include <deque>
-#include <functional>
-#include <span>
 
 #include "core/at.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

@@ -1,14 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
-
+#include "core/standard.h"
 #include "image/font.h"
 
 namespace contactscope {

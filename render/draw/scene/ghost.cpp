@@ -1,6 +1,4 @@
-#include "draw/scene/ghost.h"
-
-#include <algorithm>
+#include "draw/scene/solid.h"
 
 namespace contactscope::draw {
 

@@ -1,9 +1,5 @@
 #include "draw/scene/visibility.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "core/at.h"
 #include "draw/scene/points.h"
 

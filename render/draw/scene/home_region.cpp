@@ -1,8 +1,5 @@
 #include "draw/scene/home_region.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/at.h"
 
 namespace contactscope::draw {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "draw/scene/scene.h"
 
 namespace contactscope::draw {

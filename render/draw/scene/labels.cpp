@@ -1,9 +1,5 @@
 #include "draw/scene/labels.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "draw/scene/camera.h"
 
 namespace contactscope::draw {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
-#include <vector>
 
 #include "draw/scene/drawing.h"
 

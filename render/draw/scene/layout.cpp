@@ -1,6 +1,5 @@
 #include "draw/scene/layout.h"
 
-#include <algorithm>
 #include <sstream>
 
 #include "core/at.h"

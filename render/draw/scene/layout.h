@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "draw/scene/drawing.h"
 #include "draw/scene/theme.h"
 #include "image/font.h"

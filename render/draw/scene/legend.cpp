@@ -1,9 +1,5 @@
 #include "draw/scene/legend.h"
 
-#include <algorithm>
-#include <cmath>
-#include <tuple>
-
 #include "image/font.h"
 #include "view/words.h"
 

@@ -1,12 +1,5 @@
 #include "draw/scene/labels.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <optional>
-
 #include "core/at.h"
 
 namespace contactscope::draw {

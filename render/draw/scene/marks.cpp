@@ -1,7 +1,4 @@
-#include <algorithm>
-#include <cmath>
 #include <initializer_list>
-#include <numbers>
 
 #include "draw/scene/sketch.h"
 

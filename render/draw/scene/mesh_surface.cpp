@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <span>
-
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "draw/scene/points.h"

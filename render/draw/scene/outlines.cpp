@@ -1,9 +1,6 @@
 #include "draw/scene/outlines.h"
 
-#include <array>
 #include <cassert>
-#include <map>
-#include <utility>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "core/pose.h"
 #include "core/vec3.h"
 #include "draw/scene/camera.h"

@@ -1,10 +1,4 @@
-#include "draw/scene/pair_words.h"
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <tuple>
-#include <utility>
+#include "draw/scene/pairs.h"
 
 #include "draw/scene/palette.h"
 

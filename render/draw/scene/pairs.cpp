@@ -1,12 +1,8 @@
 #include "draw/scene/pairs.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <set>
 
 #include "core/convex_polygon.h"
-#include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "view/words.h"
 

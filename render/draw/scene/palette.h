@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "draw/scene/drawing.h"
 
 /// Colours by role: Okabe-Ito colours, each always combined with a shape of its own.

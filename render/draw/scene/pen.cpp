@@ -1,11 +1,5 @@
 #include "draw/scene/pen.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <utility>
-
 #include "draw/scene/layout.h"
 
 namespace contactscope::draw {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/convex_polygon.h"
 #include "draw/scene/drawing.h"
 #include "image/font.h"

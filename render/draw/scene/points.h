@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <span>
-#include <vector>
-
-#include "core/plane.h"
+#include "core/pose.h"
 #include "core/vec3.h"
 
 /// Properties of point sets and polygons.

@@ -1,8 +1,5 @@
 #include "draw/scene/quantity.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
 
 namespace contactscope::draw {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "core/spell.h"
 
 namespace contactscope::draw {

@@ -1,11 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"

@@ -1,11 +1,6 @@
 #include "draw/scene/visibility.h"
 
-#include <algorithm>
-#include <cmath>
 #include <initializer_list>
-#include <numbers>
-#include <span>
-#include <utility>
 
 #include "core/at.h"
 #include "core/convex_polygon.h"

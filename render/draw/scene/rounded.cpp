@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <utility>
-
 #include "core/at.h"
 #include "draw/scene/points.h"
 #include "draw/scene/scene.h"

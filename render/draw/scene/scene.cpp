@@ -1,9 +1,5 @@
 #include "draw/scene/scene.h"
 
-#include <algorithm>
-#include <limits>
-#include <map>
-
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

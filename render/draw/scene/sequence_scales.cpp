@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "draw/scene/pair_words.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 

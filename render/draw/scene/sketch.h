@@ -1,10 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/vec3.h"
 #include "draw/scene/legend.h"

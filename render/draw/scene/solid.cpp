@@ -1,7 +1,5 @@
 #include "draw/scene/solid.h"
 
-#include <algorithm>
-
 namespace contactscope::draw {
 namespace {
 

@@ -1,10 +1,5 @@
 #include "draw/scene/theme.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <type_traits>
-
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string_view>
-
 #include "draw/scene/drawing.h"
 
 /// Themes change the colours of a finished drawing and nothing else.

@@ -1,10 +1,5 @@
 #include "draw/scene/tree_levels.h"
 
-#include <array>
-#include <numeric>
-#include <optional>
-#include <utility>
-
 #include "draw/scene/outlines.h"
 
 namespace contactscope::draw {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <vector>
-
 #include "draw/scene/scene.h"
 
 /// Trees with few boxes are drawn completely: all nodes and all tested pairs.

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstddef>
-#include <span>
-#include <vector>
 
-#include "core/plane.h"
+#include "core/pose.h"
 #include "core/vec3.h"
 #include "draw/scene/camera.h"
 

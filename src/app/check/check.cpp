@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <iostream>
-#include <utility>
 
 #include "app/check/check_run.h"
 #include "app/check/reports/report.h"
@@ -69,17 +67,7 @@ std::string group(const std::string& version, const std::string& name, const std
 
 }  // namespace
 
-Verb check_verb() {
-  return {"check", "Compare with the stored snapshots", &run_check_verb,
-          "Examples:\n"
-          "  contactscope check                              all scenarios against snapshots/\n"
-          "  contactscope check hull --facts-only            one group, without drawing\n"
-          "  contactscope check my/crate.toml --write-missing\n"
-          "  contactscope check --accept hull/face_contact/frame_0012\n"
-          "  contactscope check --shard 2/5 --out /tmp/shards --junit junit.xml\n"
-          "Exit codes: 0 no difference, 1 a difference, 2 an error, such as a scenario that cannot "
-          "be read;\nthe others are still checked."};
-}
+Verb check_verb() { return {"check", "Compare with the stored snapshots", &run_check_verb}; }
 
 MovedLayers moved_layers(const draw::Staging& staging, const trace::Frame& expected,
                          const trace::Frame& actual) {

@@ -1,11 +1,9 @@
 #include "app/check/check_run.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <future>
 #include <iostream>
 #include <sstream>
-#include <stdexcept>
 
 #include "app/check/reports/report.h"
 #include "app/cli/faults.h"
@@ -18,8 +16,8 @@
 #include "core/spell.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
-#include "snapshot/brittle.h"
 #include "snapshot/check.h"
+#include "snapshot/compare_trace.h"
 #include "snapshot/report_folder.h"
 #include "snapshot/spelling.h"
 #include "snapshot/store.h"

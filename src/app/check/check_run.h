@@ -2,8 +2,6 @@
 
 #include <filesystem>
 #include <iosfwd>
-#include <string>
-#include <vector>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/verbs.h"

@@ -1,7 +1,5 @@
 #include <Eigen/Core>
-#include <algorithm>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/faults.h"
@@ -124,12 +122,7 @@ ExitCode run_doctor(const Options& options) {
 }  // namespace
 
 Verb doctor_verb() {
-  return {"doctor", "Test each OpenGL backend, and inspect scenarios and traces", &run_doctor,
-          "Examples:\n"
-          "  contactscope doctor\n"
-          "  contactscope doctor run.jsonl\n"
-          "Exit codes: 0 pictures can be drawn and nothing is wrong, 1 something is wrong, 2 an "
-          "error."};
+  return {"doctor", "Test each OpenGL backend, and inspect scenarios and traces", &run_doctor};
 }
 
 }  // namespace contactscope::app

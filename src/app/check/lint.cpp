@@ -1,9 +1,6 @@
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"
@@ -131,12 +128,7 @@ ExitCode run_lint(const Options& options) {
 }  // namespace
 
 Verb lint_verb() {
-  return {"lint", "Check the contacts in a trace against its own shapes and poses", &run_lint,
-          "Examples:\n"
-          "  contactscope lint run.jsonl\n"
-          "  contactscope lint run.jsonl --write-known known.json   # the findings so far\n"
-          "  contactscope lint run.jsonl --known known.json         # exits with 0 if none is new\n"
-          "Exit codes: 0 nothing is wrong, or new; 1 a claim is wrong; 2 an error."};
+  return {"lint", "Check the contacts in a trace against its own shapes and poses", &run_lint};
 }
 
 }  // namespace contactscope::app

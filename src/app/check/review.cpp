@@ -4,13 +4,10 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/check/reports/report.h"
@@ -308,12 +305,7 @@ ExitCode run_accept(const Options& options) {
 Verb review_verb() {
   return {"review",
           "Review the findings of the last check; one key each: accept, reject, skip, show",
-          &run_review,
-          "Examples:\n"
-          "  contactscope review\n"
-          "  contactscope review --list | grep ^changed\n"
-          "  contactscope review --from decisions.json\n"
-          "Exit codes: 0 no finding is left, 1 some are, 2 an error."};
+          &run_review};
 }
 
 }  // namespace contactscope::app

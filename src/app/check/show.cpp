@@ -81,11 +81,7 @@ void show(const snapshot::Finding& finding, const std::string& folder, TerminalP
 }
 
 Verb show_verb() {
-  return {"show", "Show findings of the last check in the terminal, with pictures", &run_show,
-          "Examples:\n"
-          "  contactscope show hull/face_contact\n"
-          "  contactscope show '*/frame_0012' --pictures kitty\n"
-          "Exit codes: 0 done, 2 an error, such as a name that is not in the report."};
+  return {"show", "Show findings of the last check in the terminal, with pictures", &run_show};
 }
 
 }  // namespace contactscope::app

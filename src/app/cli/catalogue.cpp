@@ -1,19 +1,15 @@
 #include "app/cli/catalogue.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
-#include <map>
 
 #include "app/cli/narrow.h"
 #include "app/cli/options.h"
 #include "core/at.h"
 #include "core/input_error.h"
-#include "core/input_file.h"
 #include "core/key_table.h"
 #include "core/spell.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 #include "reduce/reducer.h"
 
 namespace contactscope::app {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/cli/sequence.h"
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"

@@ -1,9 +1,6 @@
 #include "app/cli/faults.h"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "app/cli/progress.h"
 #include "core/at.h"

@@ -1,13 +1,7 @@
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
-#include <string_view>
-#include <utility>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/verbs.h"
@@ -256,13 +250,6 @@ ExitCode run_list(const Options& options) {
 
 }  // namespace
 
-Verb list_verb() {
-  return {"list", "List scenarios, reducers, layers and other names", &run_list,
-          "Examples:\n"
-          "  contactscope list scenarios\n"
-          "  contactscope list sources\n"
-          "  contactscope list course --format html\n"
-          "Exit codes: 0 done, 2 an error."};
-}
+Verb list_verb() { return {"list", "List scenarios, reducers, layers and other names", &run_list}; }
 
 }  // namespace contactscope::app

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <sstream>
 
 #include "app/cli/verbs.h"
@@ -7,6 +6,13 @@
 #include "trace/reference.h"
 
 namespace contactscope::app {
+
+/// The files in manual, embedded by the build.
+std::string_view man_page_end();
+std::string_view bash_completion();
+std::string_view zsh_completion();
+std::string_view fish_completion();
+
 namespace {
 
 /// Escapes text for roff: hyphens that can be copied, and no line that looks like a request.
@@ -52,39 +58,6 @@ void print_verb(const Verb& verb, std::ostream& out) {
   if (!verb.footer.empty()) out << ".PP\n.nf\n" << roff(verb.footer) << "\n.fi\n";
 }
 
-constexpr const char* kEnd = R"(.SH EXIT STATUS
-.TP
-.B 0
-done, no difference
-.TP
-.B 1
-a difference, an unmet expectation or a wrong claim
-.TP
-.B 2
-an error: a bad file, wrong usage, or no OpenGL
-.SH ENVIRONMENT
-.TP
-.B CONTACTSCOPE_BACKEND
-auto, egl or osmesa; \-\-backend overrides it
-.TP
-.B CI
-true or 1: check writes no snapshots
-.SH FILES
-.TP
-.I scenarios/*/*.toml
-scenarios; \(lqcontactscope list scenarios\(rq prints their names
-.TP
-.I *.jsonl
-traces of this program or of other engines; see src/trace/README.md of its sources
-.SH EXAMPLES
-.nf
-contactscope render hull/face_contact
-contactscope render run.jsonl \-\-pair crate,floor \-\-panels summary,plots
-contactscope lint run.jsonl
-contactscope check
-.fi
-)";
-
 using Kind = OptionValues::Kind;
 
 std::string line_of(const std::string& word, std::string description) {
@@ -111,65 +84,6 @@ std::string values_of(const OptionValues& values, std::string before, const std:
   return lines;
 }
 
-constexpr const char* kBash =
-    R"bash(# bash completion of contactscope; made by contactscope --manual bash
-
-_contactscope() {
-  local cur=${COMP_WORDS[COMP_CWORD]} word
-  if [ "$cur" = = ]; then cur=; fi
-  COMPREPLY=()
-  while IFS= read -r word; do
-    word=${word%%$'\t'*}
-    case $word in
-      :files) COMPREPLY+=($(compgen -f -- "$cur")) ;;
-      :folders) COMPREPLY+=($(compgen -d -- "$cur")) ;;
-      :nospace) compopt -o nospace 2>/dev/null || true ;;
-      "$cur"*)
-        [[ $word == *[!A-Za-z0-9_./+@%:,=~-]* ]] && word=$(printf %q "$word")
-        COMPREPLY+=("$word") ;;
-    esac
-  done < <(contactscope --complete "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
-}
-complete -o bashdefault -F _contactscope contactscope
-)bash";
-
-constexpr const char* kZsh = R"zsh(#compdef contactscope
-# zsh completion of contactscope; made by contactscope --manual zsh
-
-local line
-local -a found space
-for line in ${(f)"$(contactscope --complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)"}; do
-  case $line in
-    :files) _files ;;
-    :folders) _files -/ ;;
-    :nospace) space=(-S '') ;;
-    *) found+=("${${line//:/\\:}/$'\t'/:}") ;;
-  esac
-done
-_describe contactscope found $space
-)zsh";
-
-constexpr const char* kFish =
-    R"fish(# fish completion of contactscope; made by contactscope --manual fish
-
-function __contactscope_complete
-    set -l typed (commandline -ct)
-    set -l words (commandline -opc)
-    for line in (contactscope --complete $words[2..-1] "$typed" 2>/dev/null)
-        switch $line
-            case :files
-                __fish_complete_path "$typed"
-            case :folders
-                __fish_complete_directories "$typed"
-            case :nospace
-            case '*'
-                echo $line
-        end
-    end
-end
-complete -c contactscope -f -a '(__contactscope_complete)'
-)fish";
-
 }  // namespace
 
 std::string man_page(const std::string& version) {
@@ -185,7 +99,7 @@ std::string man_page(const std::string& version) {
       << "stored snapshots. \\-\\-help after a verb lists its options.\n"
       << ".SH VERBS\n";
   for (const Verb& verb : verbs()) print_verb(verb, out);
-  out << kEnd;
+  out << man_page_end();
   return out.str();
 }
 
@@ -242,9 +156,9 @@ std::string completions(std::vector<std::string> words) {
 }
 
 std::string completion_script(const std::string& shell) {
-  if (shell == "bash") return kBash;
-  if (shell == "zsh") return kZsh;
-  return shell == "fish" ? kFish : "";
+  if (shell == "bash") return std::string(bash_completion());
+  if (shell == "zsh") return std::string(zsh_completion());
+  return shell == "fish" ? std::string(fish_completion()) : "";
 }
 
 }  // namespace contactscope::app

@@ -8,7 +8,7 @@
 
 #include "core/at.h"
 #include "core/key_table.h"
-#include "draw/scene/pair_words.h"
+#include "draw/scene/pairs.h"
 
 namespace contactscope::app {
 namespace {

@@ -1,4 +1,3 @@
-#include <array>
 #include <sstream>
 
 #include "app/cli/options.h"

@@ -1,7 +1,5 @@
 #include "app/cli/options.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstdio>

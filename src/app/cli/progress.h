@@ -2,9 +2,8 @@
 
 #include <chrono>
 #include <iosfwd>
-#include <stdexcept>
-#include <string>
-#include <vector>
+
+#include "core/standard.h"
 
 /// Progress of a run, and for --verbose a log of its stages.
 namespace contactscope::app {

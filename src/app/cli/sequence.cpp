@@ -1,7 +1,5 @@
 #include "app/cli/sequence.h"
 
-#include <algorithm>
-
 #include "trace/find.h"
 #include "trace/point_names.h"
 

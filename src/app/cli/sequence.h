@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "app/cli/trace_file.h"
 #include "trace/trace.h"
 

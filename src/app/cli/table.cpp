@@ -1,10 +1,5 @@
 #include "app/cli/table.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <span>
-
 namespace contactscope::app {
 
 namespace {

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <ostream>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/spell.h"
 #include "trace/study.h"

@@ -1,8 +1,5 @@
 #include "app/cli/trace_checks.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <concepts>
 #include <unordered_set>
 
@@ -10,7 +7,7 @@
 #include "core/at.h"
 #include "core/input_error.h"
 #include "core/key_table.h"
-#include "core/plane.h"
+#include "core/pose.h"
 #include "core/spell.h"
 #include "geometry/hull_builder.h"
 #include "snapshot/store.h"

@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "core/input_error.h"
-#include "core/input_file.h"
 #include "core/spell.h"
 #include "snapshot/meshes.h"
 #include "snapshot/store.h"

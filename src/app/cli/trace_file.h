@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "app/cli/trace_checks.h"
 #include "trace/read_trace.h"
 

@@ -1,11 +1,8 @@
 #include "app/cli/verbs.h"
 
-#include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <optional>
 #include <sstream>
-#include <utility>
 
 #include "core/key_table.h"
 
@@ -20,18 +17,26 @@ Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), do
 Verb help_verb() {
   return {"help",
           "Print the options of a verb, with examples; the verbs; or the keys of a scenario",
-          [](const Options&) { return ExitCode::Same; },
-          "Examples:\n"
-          "  contactscope help check\n"
-          "  contactscope help scenario\n"
-          "Exit codes: 0 done, 2 there is no such verb."};
+          [](const Options&) { return ExitCode::Same; }};
 }
 
+/// manual/help.txt, embedded by the build.
+std::string_view help_texts();
+
 const std::vector<Verb>& verbs() {
-  static const std::vector<Verb> all = {render_verb(), trace_verb(),   check_verb(),  review_verb(),
-                                        show_verb(),   explore_verb(), study_verb(),  lint_verb(),
-                                        find_verb(),   diff_verb(),    versus_verb(), shrink_verb(),
-                                        doctor_verb(), list_verb(),    help_verb()};
+  static const std::vector<Verb> all = [] {
+    std::vector<Verb> list = {render_verb(), trace_verb(),   check_verb(),  review_verb(),
+                              show_verb(),   explore_verb(), study_verb(),  lint_verb(),
+                              find_verb(),   diff_verb(),    versus_verb(), shrink_verb(),
+                              doctor_verb(), list_verb(),    help_verb()};
+    for (Verb& verb : list) {
+      const std::string heading = "## " + verb.name + "\n";
+      const std::string_view rest =
+          help_texts().substr(help_texts().find(heading) + heading.size());
+      verb.footer = rest.substr(0, std::min(rest.find("\n\n## "), rest.size() - 1));
+    }
+    return list;
+  }();
   return all;
 }
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/cli/options.h"
 
 namespace contactscope::app {
@@ -15,7 +12,7 @@ struct Verb {
   std::string name;
   std::string summary;  // one line
   ExitCode (*run)(const Options& options);
-  std::string footer;  // shown after the options: examples and exit codes
+  std::string footer{};  // shown after the options: its section of manual/help.txt
 };
 
 /// All verbs, in listing order.

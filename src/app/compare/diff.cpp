@@ -1,11 +1,8 @@
 #include "app/compare/diff.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "app/cli/progress.h"
@@ -183,16 +180,8 @@ View view_of(const RunComparison& runs) {
 }  // namespace
 
 Verb diff_verb() {
-  return {
-      "diff", "Find where two runs of one scene part: the first frame, pair and stage", &run_diff,
-      R"(Frames are compared by number, shapes and pairs by name. Numbers that differ by rounding alone, of the
-coarser of the two scalars, do not count.
-
-Examples:
-  contactscope diff before.jsonl after.jsonl
-  contactscope diff before.jsonl after.jsonl --json
-  contactscope diff before.jsonl after.jsonl --picture parting.png
-Exit codes: 0 the same, 1 they differ, 2 an error.)"};
+  return {"diff", "Find where two runs of one scene part: the first frame, pair and stage",
+          &run_diff};
 }
 
 std::string place_of(const snapshot::Parting& parting) {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string>
-
 #include "app/cli/verbs.h"
 #include "image/image.h"
 #include "snapshot/compare_runs.h"

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <string>
-#include <vector>
 
 #include "app/cli/verbs.h"
 #include "image/image.h"

@@ -1,8 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <optional>
-#include <tuple>
-#include <utility>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/progress.h"
@@ -225,20 +222,7 @@ ExitCode run_explore(const Options& options) {
 }  // namespace
 
 Verb explore_verb() {
-  return {
-      "explore", "Compare all reducers on a scenario's manifolds", &run_explore,
-      R"(area: share of the largest area that as many points can span. lost arm: how much shorter the lever
-arm of the kept points is than that of all points, about the worst axis, as a share of the patch's
-radius (130 % when they are all on one side). depth error: of the plane through the kept depths.
-weight held: the centre of mass is above the kept patch. ids changed: ids that appeared or
-disappeared. patch/bodies: the largest move of a kept point, or of their centroid, from frame to frame,
-divided by the largest move of the bodies' surfaces; inf if the bodies rest, - if nothing moves.
-ns: median, minimum and upper quartile of the time of a call.
-
-Examples:
-  contactscope explore hull/eight_points_to_four
-  contactscope explore run.jsonl --table
-Exit codes: 0 done, 2 an error.)"};
+  return {"explore", "Compare all reducers on a scenario's manifolds", &run_explore};
 }
 
 }  // namespace contactscope::app

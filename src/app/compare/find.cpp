@@ -1,7 +1,5 @@
-#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/narrow.h"
 #include "app/cli/progress.h"
@@ -112,25 +110,7 @@ ExitCode run_find(const Options& options) {
 }  // namespace
 
 Verb find_verb() {
-  return {
-      "find", "Find the frames and pairs of a trace for which a condition holds", &run_find,
-      R"(The condition consists of quantities of a pair in a frame, numbers, also with a unit (m, cm, mm, um, nm,
-deg, rad, s, ms, N s), and texts in quotes, with + - * /, == != < <= > >=, and, or, not, parentheses and
-abs(x). Without a unit lengths are in metres, angles in degrees.
-Quantities: frame, time, a, b, label (the names of the pair), points, manifolds, separation (negative in
-overlap), overlap (0 when separated), touching, impulse (normal, sum over the points), axis, type, ids
-(from geometry where the engine has none), normal_x, normal_y, normal_z. One of several manifolds has to fit.
-previous.QUANTITY is the value in the frame before.
-Since the frame before: normal_turn, overlap_change, impulse_change, points_gained, points_lost, ids_gained,
-ids_lost, and of the shape that moves more motion (of its origin) and turn. age: frames of contact without a
-break, 0 in the first. away: frames without contact before that. A pair that leaves the trace is tried once
-more, without points.
-
-Examples:
-  contactscope find run.jsonl 'overlap > 5 mm and normal_turn > 20 deg'
-  contactscope find run.jsonl 'points_lost > 0 and motion < 1 mm'     # contacts that flicker
-  contactscope find run.jsonl "age == 0 and away <= 2 and a == 'floor'" --json
-Exit codes: 0 something is found, 1 nothing is, 2 an error.)"};
+  return {"find", "Find the frames and pairs of a trace for which a condition holds", &run_find};
 }
 
 }  // namespace contactscope::app

@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/faults.h"

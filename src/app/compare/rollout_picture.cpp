@@ -1,8 +1,5 @@
 #include "app/compare/engine_runs.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/cli/table.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"

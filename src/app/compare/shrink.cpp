@@ -1,6 +1,5 @@
 #include "shrink/shrink.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -171,27 +170,9 @@ ExitCode run_shrink(const Options& options) {
 }  // namespace
 
 Verb shrink_verb() {
-  return {
-      "shrink",
-      "Find the smallest pair for which a condition still holds, and write it as a scenario",
-      &run_shrink,
-      R"(The condition consists of numbers, texts in quotes and SIDE.QUANTITY, with + - * /, == != < <= > >=,
-and, or, not, parentheses, abs(x) and angle(SIDE, SIDE), degrees between two normals. A side is float,
-double, recorded (the claims of a trace), or an engine of `versus`; without one it is the file as it is.
-Quantities: points, manifolds, separation, touching, overlap, axis, type, ids, normal_x, normal_y,
-normal_z. lint.CAUSE is the number of findings of `lint` with that cause, lint of all of them; unmet is
-the number of expectations of a scenario that do not hold.
-
-Examples:
-  contactscope shrink hull/far_away --while 'float.points != double.points'
-  contactscope shrink run.jsonl --while lint.flipped_normals
-  contactscope shrink mine/stack.toml --while unmet
-  contactscope shrink round --while 'abs(bullet.separation - double.separation) > 0.001'
-
-Vertices and settings are removed, rotations dropped and numbers rounded while the condition holds. The
-scenario is written to OUT/shrink, with the right result as an expectation: that of the file, else that
-of double.
-Exit codes: 0 it is written, 1 no pair alone satisfies the condition, 2 an error.)"};
+  return {"shrink",
+          "Find the smallest pair for which a condition still holds, and write it as a scenario",
+          &run_shrink};
 }
 
 }  // namespace contactscope::app

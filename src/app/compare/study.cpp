@@ -1,11 +1,8 @@
 #include "study/study.h"
 #include "versus/request.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
-#include <optional>
 
 #include "app/cli/catalogue.h"
 #include "app/cli/options.h"
@@ -104,11 +101,7 @@ ExitCode run_study(const Options& options) {
 }  // namespace
 
 Verb study_verb() {
-  return {"study", "Measure error against run time: plot, CSV and JSON", &run_study,
-          "Examples:\n"
-          "  contactscope study reducers --cases 100 --seed 2\n"
-          "  contactscope list studies\n"
-          "Exit codes: 0 done, 2 an error."};
+  return {"study", "Measure error against run time: plot, CSV and JSON", &run_study};
 }
 
 }  // namespace contactscope::app

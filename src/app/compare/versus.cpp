@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -230,28 +229,7 @@ ExitCode run_versus(const Options& options) {
 }  // namespace
 
 Verb versus_verb() {
-  return {
-      "versus", "Compare the contacts of several engines on the same shapes", &run_versus,
-      R"(pairs: compared, each in each frame. missed: the shapes overlap, but the engine reports no contact.
-invented: the shapes are separated, but the engine reports an overlap. depth error: of the deepest
-point, compared with the least overlap of the shapes. normal costs: how much more overlap there is along
-the engine's normal than along the best one. area: of the patch that all points span. ids kept: from the
-frame before; with a ~ if the engine has no ids, and they are derived from geometry. lint: findings of
-`contactscope lint` in the engine's answer.
-
-With --rollout each engine steps the scene itself. rest: bodies that stand at the start and should stay.
-fell: how many of them sank by half of their thickness; at s: when the first did. drift: the largest
-distance of one of them from its start, at any time. deepest: overlap of any two shapes, by their exact
-geometry. passed: bodies that went through another shape between two frames. gained: the largest rise of
-the energy above an earlier value. points: active contact points per frame.
-
-An engine is any program contactscope-engine-NAME, see src/versus/README.md.
-
-Examples:
-  contactscope versus round --engines contactscope,bullet
-  contactscope versus solver/stack_of_ten --rollout
-Exit codes: 0 every engine is right; 1 an engine is wrong, does not answer or does not reach the end, or
-a body falls or passes in one engine that stands or is stopped in another; 2 an error.)"};
+  return {"versus", "Compare the contacts of several engines on the same shapes", &run_versus};
 }
 
 }  // namespace contactscope::app

@@ -1,7 +1,5 @@
 #include "app/render/figure_canvas.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <iostream>

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "app/cli/catalogue.h"
 #include "app/cli/verbs.h"
 #include "draw/scene/drawing.h"

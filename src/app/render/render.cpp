@@ -1,13 +1,9 @@
 #include "app/render/render.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <functional>
 #include <future>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"
@@ -257,13 +253,7 @@ FigureCanvas page_canvas(const trace::Header& header, const std::vector<trace::F
 }  // namespace
 
 Verb render_verb() {
-  return {"render", "Write pictures: PNG, vector files, pages, animations", &run_render,
-          "Examples:\n"
-          "  contactscope render hull/face_contact\n"
-          "  contactscope render hull/face_contact --format svg,pdf --frames 12\n"
-          "  contactscope render run.jsonl --pair crate,floor --camera 4,2,4,0,0,0,30\n"
-          "  contactscope render run.jsonl --where 'overlap > 5 mm and normal_turn > 20 deg'\n"
-          "Exit codes: 0 done, 1 --where holds nowhere, 2 an error."};
+  return {"render", "Write pictures: PNG, vector files, pages, animations", &run_render};
 }
 
 bool wants_cells(const Options& options, const std::vector<const Format*>& formats) {

@@ -1,7 +1,5 @@
 #include "app/render/renderer.h"
 
-#include <limits>
-
 #include "overlay/panels.h"
 #include "scenario/run.h"
 

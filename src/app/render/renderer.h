@@ -1,15 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <deque>
-#include <functional>
 #include <future>
-#include <memory>
-#include <optional>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "app/cli/progress.h"
 #include "app/cli/sequence.h"

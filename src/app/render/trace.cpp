@@ -24,11 +24,6 @@ ExitCode run_trace(const Options& options) {
 
 }  // namespace
 
-Verb trace_verb() {
-  return {"trace", "Print the pipeline's facts as JSON lines", &run_trace,
-          "Examples:\n"
-          "  contactscope trace hull/face_contact | jq .pairs\n"
-          "Exit codes: 0 done, 2 an error."};
-}
+Verb trace_verb() { return {"trace", "Print the pipeline's facts as JSON lines", &run_trace}; }
 
 }  // namespace contactscope::app

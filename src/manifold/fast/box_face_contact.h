@@ -1,13 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 
-#include "core/plane.h"
+#include "core/pose.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
 #include "manifold/contact_depth.h"

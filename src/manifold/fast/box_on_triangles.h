@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "geometry/mesh.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"

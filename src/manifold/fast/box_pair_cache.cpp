@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <span>
-#include <utility>
-
 #include "manifold/contact_depth.h"
 #include "manifold/fast/box_face_contact.h"
 #include "manifold/fast/collide_box_box.h"
@@ -139,7 +133,6 @@ template <class S>
   return true;
 }
 
-template decltype(collide_boxes_from_cache<float>) collide_boxes_from_cache<float>;
-template decltype(collide_boxes_from_cache<double>) collide_boxes_from_cache<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_boxes_from_cache);
 
 }  // namespace contactscope

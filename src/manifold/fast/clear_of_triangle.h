@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "core/scratch.h"
+#include "core/static_vector.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "geometry/mesh.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <bit>
-#include <cstdint>
-
 #include "manifold/clip.h"
 #include "query/fast/box_pair.h"
 

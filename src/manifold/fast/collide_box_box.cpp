@@ -1,8 +1,5 @@
 #include "manifold/fast/collide_box_box.h"
 
-#include <cmath>
-#include <limits>
-
 #include "manifold/fast/box_face_contact.h"
 #include "query/fast/box_sat.h"
 
@@ -70,7 +67,6 @@ template <class S>
   return true;
 }
 
-template decltype(collide_box_box<float>) collide_box_box<float>;
-template decltype(collide_box_box<double>) collide_box_box<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_box_box);
 
 }  // namespace contactscope

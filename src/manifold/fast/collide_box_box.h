@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "geometry/hull.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"

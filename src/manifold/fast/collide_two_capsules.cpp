@@ -1,11 +1,5 @@
 #include "manifold/fast/collide_two_capsules.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
-
 #include "manifold/contact.h"
 #include "manifold/round_contact.h"
 #include "query/fast/packed_vectors.h"
@@ -211,7 +205,6 @@ bool collide_two_capsules(const Capsule<S>& a, const Pose<S>& pose_a, const Caps
                           swapped ? pose_a : pose_b, swapped, options, manifolds);
 }
 
-template decltype(collide_two_capsules<float>) collide_two_capsules<float>;
-template decltype(collide_two_capsules<double>) collide_two_capsules<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_two_capsules);
 
 }  // namespace contactscope

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <cstring>
-#include <limits>
-#include <type_traits>
 
 #include "core/three.h"
 #include "geometry/obb.h"

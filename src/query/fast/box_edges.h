@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-
 #include "query/fast/packed_vectors.h"
 
 /// Two crossing edges of boxes: their indices, their separation along the cross product, and their

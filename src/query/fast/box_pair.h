@@ -1,11 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "core/dot_order.h"
 #include "core/pose.h"

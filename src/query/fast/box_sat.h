@@ -1,9 +1,5 @@
 #pragma once
 
-#include <bit>
-#include <cmath>
-#include <limits>
-
 #include "core/manifold.h"
 #include "query/fast/box_edges.h"
 #include "query/sat.h"

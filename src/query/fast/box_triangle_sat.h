@@ -1,9 +1,5 @@
 #pragma once
 
-#include <bit>
-#include <cmath>
-#include <limits>
-
 #include "core/manifold.h"
 #include "geometry/box_topology.h"
 #include "geometry/mesh.h"

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-#include <limits>
-
 #include "core/pack.h"
-#include "core/scratch.h"
+#include "core/static_vector.h"
 #include "query/fast/lane_search.h"
 #include "query/sat.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-
 #include "core/pack.h"
 
 namespace contactscope {

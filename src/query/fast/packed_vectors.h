@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <type_traits>
-
 #include "core/dot_order.h"
 #include "core/pose.h"
 #include "query/fast/box_pair.h"

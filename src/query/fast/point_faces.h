@@ -1,13 +1,10 @@
 #pragma once
 
-#include <bit>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "core/at.h"
 #include "core/pack.h"
-#include "core/scratch.h"
+#include "core/static_vector.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "query/fast/lane_search.h"

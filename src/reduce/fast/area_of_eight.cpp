@@ -1,8 +1,5 @@
 #include "reduce/fast/area_of_eight.h"
 
-#include <bit>
-#include <cstdint>
-
 #include "core/dot_order.h"
 #include "core/three.h"
 
@@ -193,7 +190,6 @@ template <class S>
   return true;
 }
 
-template decltype(area_of_eight<float>) area_of_eight<float>;
-template decltype(area_of_eight<double>) area_of_eight<double>;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(area_of_eight);
 
 }  // namespace contactscope

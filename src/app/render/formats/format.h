@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "app/cli/sequence.h"
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"

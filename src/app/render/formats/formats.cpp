@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <cmath>
 #include <future>
 #include <iostream>
-#include <utility>
 
 #include "app/cli/verbs.h"
 #include "app/render/formats/format.h"

@@ -1,7 +1,5 @@
 #include "app/render/formats/sinks.h"
 
-#include <algorithm>
-
 #include "app/render/figure_canvas.h"
 #include "core/at.h"
 #include "core/spell.h"

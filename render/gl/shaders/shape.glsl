@@ -1,36 +1,4 @@
-#pragma once
-
-/// GLSL of the rasterizer. Fragments compute coverage only from gl_FragCoord and flat attributes:
-/// nothing is interpolated, so drivers agree exactly or up to rounding. The framebuffer's row 0 is
-/// the picture's top row, so gl_FragCoord is in pixels of the drawing.
-namespace contactscope::gl {
-
-inline constexpr const char* kVertexShader = R"(#version 330 core
-in vec2 position;  // pixels from the top left
-in vec4 color;
-in vec4 line;      // shape: origin and unit direction;  glyph: offset into the atlas
-in vec4 form;      // shape: half width, middle radius, dash, gap
-in vec3 run;       // shape: length, phase, 1 for round caps
-flat out vec4 frag_color;
-flat out vec4 frag_line;
-flat out vec4 frag_form;
-flat out vec3 frag_run;
-uniform vec2 pixel;  // 2 / size
-void main() {
-  frag_color = color;
-  frag_line = line;
-  frag_form = form;
-  frag_run = run;
-  gl_Position = vec4(position * pixel - 1.0, 0.0, 1.0);
-}
-)";
-
-inline constexpr const char* kFillFragmentShader = R"(#version 330 core
-flat in vec4 frag_color;
-out vec4 fragment;
-void main() { fragment = frag_color; }
-)";
-
+#version 330 core
 // A stroke or a disc. In the stroke's frame, with s across and t along,
 //   butt caps    coverage = (share of the pixel within the width) * (share within a dash)
 //   round caps   coverage = share of the pixel within half a width of the nearest dash
@@ -38,7 +6,6 @@ void main() { fragment = frag_color; }
 // the share is the exact area of the square pixel; its profile along the edge's normal is a
 // trapezoid. The coverage of a line then sums to its width at every angle. A linear ramp of one
 // pixel would make thin lines at 45 degrees bead; along the line it is good enough.
-inline constexpr const char* kShapeFragmentShader = R"(#version 330 core
 flat in vec4 frag_color;
 flat in vec4 frag_line;
 flat in vec4 frag_form;
@@ -105,18 +72,3 @@ void main() {
   }
   fragment = vec4(frag_color.rgb, frag_color.a * coverage);
 }
-)";
-
-// A glyph: one texel per pixel, no filter.
-inline constexpr const char* kGlyphFragmentShader = R"(#version 330 core
-flat in vec4 frag_color;
-flat in vec4 frag_line;
-uniform sampler2D atlas;
-out vec4 fragment;
-void main() {
-  float coverage = texelFetch(atlas, ivec2(gl_FragCoord.xy + frag_line.xy), 0).r;
-  fragment = vec4(frag_color.rgb, frag_color.a * coverage);
-}
-)";
-
-}  // namespace contactscope::gl
