@@ -1,10 +1,5 @@
 #include "query/v_clip.h"
 
-#include <array>
-#include <cmath>
-#include <limits>
-
-#include "core/instantiate.h"
 #include "query/closest_points.h"
 #include "query/voronoi_region.h"
 
