@@ -128,6 +128,7 @@ struct CompareOptions {
   bool rollout = false;              // engines step the scene themselves
   double time_limit = 60;            // seconds, for an engine's program
   std::string condition;             // for `shrink`: expression to preserve
+  std::optional<int> point;          // for `why`: of the pair, from 0
   std::string picture;               // file for `diff`; empty: draw nothing
   std::string study;                 // name of the study to run
   std::uint64_t seed = 1;            // for its cases

@@ -11,7 +11,7 @@ namespace contactscope::app {
 // Each is defined in the file of its name.
 Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), doctor_verb(),
     list_verb(), lint_verb(), versus_verb(), find_verb(), diff_verb(), shrink_verb(), review_verb(),
-    show_verb();
+    show_verb(), why_verb();
 
 /// main.cpp turns `help render` into `render --help`.
 Verb help_verb() {
@@ -25,10 +25,10 @@ std::string_view help_texts();
 
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> all = [] {
-    std::vector<Verb> list = {render_verb(), trace_verb(),   check_verb(),  review_verb(),
-                              show_verb(),   explore_verb(), study_verb(),  lint_verb(),
-                              find_verb(),   diff_verb(),    versus_verb(), shrink_verb(),
-                              doctor_verb(), list_verb(),    help_verb()};
+    std::vector<Verb> list = {render_verb(), trace_verb(),   check_verb(), review_verb(),
+                              show_verb(),   explore_verb(), study_verb(), lint_verb(),
+                              find_verb(),   why_verb(),     diff_verb(),  versus_verb(),
+                              shrink_verb(), doctor_verb(),  list_verb(),  help_verb()};
     for (Verb& verb : list) {
       const std::string heading = "## " + verb.name + "\n";
       const std::string_view rest =
