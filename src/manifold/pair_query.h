@@ -88,9 +88,9 @@ template <class S> struct QueriedShape {
 
 /// Where the last query of a pair ended.
 struct QueryMemory {
-  MeshFront front;                        // of two meshes, see mesh_overlap()
-  GjkSimplex<double> simplex;             // of two cores, see gjk()
-  std::optional<FeaturePair> features{};  // of two hulls, see v_clip()
+  MeshFront front;                             // of two meshes, see mesh_overlap()
+  GjkSimplex<double> simplex;                  // of two cores, see gjk()
+  std::optional<ComparedFeatures> features{};  // of two hulls, see v_clip()
 };
 
 /// Answers a query that refusal() accepts and whose kind is not Manifold.

@@ -154,8 +154,8 @@ Gap gap_of_cores(const PlacedCore& a, const PlacedCore& b, const Question& quest
     found.on_b = on_b - b.radius * normal;
   };
   if (question.distance == DistanceMethod::VClip && has_features(a) && has_features(b)) {
-    const FeaturePair* const start = memory && memory->features ? &*memory->features : nullptr;
-    std::vector<FeaturePair> walk;
+    const ComparedFeatures* const start = memory && memory->features ? &*memory->features : nullptr;
+    std::vector<ComparedFeatures> walk;
     const VClipResult<double> walked =
         v_clip(*a.set.hull, *b.set.hull, b_in_a, start, recorder ? &walk : nullptr);
     if (memory) memory->features = walked.features;

@@ -325,7 +325,7 @@ template <class S> void Recorder<S>::gjk(const Pose<S>& frame) {
 
 template <class S>
 void Recorder<S>::walk(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                       const std::vector<FeaturePair>& pairs) {
+                       const std::vector<ComparedFeatures>& pairs) {
   for (const auto& [of_a, of_b] : pairs) {
     const std::vector<Vec3<S>> points_a = corners_of(a, of_a), points_b = corners_of(b, of_b);
     const SupportSet<S> set_a{points_a.data(), count_of(points_a), nullptr};

@@ -91,7 +91,7 @@ template <class S> class Recorder {
   void gjk(const Pose<S>& frame);
   /// The pairs of features that V-Clip compared.
   void walk(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-            const std::vector<FeaturePair>& pairs);
+            const std::vector<ComparedFeatures>& pairs);
   /// Record of a penetration method's steps; null if they are not recorded.
   PenetrationSteps<S>* penetration_steps() {
     return stages_.penetration ? &penetration_steps_ : nullptr;

@@ -223,7 +223,8 @@ Verdict test_edge_face(const View<S>& view, HullFeature& edge, HullFeature& face
   return Verdict::Moved;
 }
 
-template <class S> Verdict test(const View<S>& from_a, const View<S>& from_b, FeaturePair& pair) {
+template <class S>
+Verdict test(const View<S>& from_a, const View<S>& from_b, ComparedFeatures& pair) {
   using K = FeatureKind;
   const auto is = [&](K a, K b) { return pair.a.kind == a && pair.b.kind == b; };
   const auto either = [](Verdict first, const auto& second) {
@@ -282,11 +283,11 @@ void measure(const View<S>& from_a, const View<S>& from_b, VClipResult<S>& resul
 
 template <class S>
 VClipResult<S> v_clip(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                      const FeaturePair* start, std::vector<FeaturePair>* walk) {
+                      const ComparedFeatures* start, std::vector<ComparedFeatures>* walk) {
   const View<S> from_a{a, b, b_in_a}, from_b{b, a, relative_pose(b_in_a, Pose<S>())};
   VClipResult<S> result;
   result.features =
-      start ? *start : FeaturePair{{FeatureKind::Vertex, 0}, {FeatureKind::Vertex, 0}};
+      start ? *start : ComparedFeatures{{FeatureKind::Vertex, 0}, {FeatureKind::Vertex, 0}};
   const int most = 4 * (a.edge_count() + b.edge_count()) + 64;
   for (; result.steps < most; ++result.steps) {
     if (walk) walk->push_back(result.features);

@@ -7,8 +7,8 @@
 /// Polyhedral Collision Detection"; the lecture's "V-Clip".
 namespace contactscope {
 
-/// A feature of either hull.
-struct FeaturePair {
+/// A feature of each hull.
+struct ComparedFeatures {
   HullFeature a, b;
 };
 
@@ -21,10 +21,10 @@ constexpr const char* to_string(VClipStatus status) {
 
 template <class S> struct VClipResult {
   VClipStatus status = VClipStatus::OutOfSteps;
-  S distance = 0;        // metres; 0 in overlap
-  Vec3<S> on_a, on_b;    // closest points in A's frame; undefined in overlap
-  FeaturePair features;  // the closest ones, or the last in overlap
-  int steps = 0;         // pairs of features after the first
+  S distance = 0;             // metres; 0 in overlap
+  Vec3<S> on_a, on_b;         // closest points in A's frame; undefined in overlap
+  ComparedFeatures features;  // the closest ones, or the last in overlap
+  int steps = 0;              // pairs of features after the first
 };
 
 /// Two features are closest if each has a point in the other's Voronoi region that is closest to
@@ -36,6 +36,7 @@ template <class S> struct VClipResult {
 /// volume. `walk`, if any, becomes all pairs of features in order.
 template <class S>
 VClipResult<S> v_clip(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
-                      const FeaturePair* start = nullptr, std::vector<FeaturePair>* walk = nullptr);
+                      const ComparedFeatures* start = nullptr,
+                      std::vector<ComparedFeatures>* walk = nullptr);
 
 }  // namespace contactscope

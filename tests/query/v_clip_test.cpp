@@ -41,7 +41,7 @@ template <class S> void judge_distances(int cases, std::uint64_t seed) {
     const Pose<S> pose = pair.b_in_a.cast<S>();
     Pose<double> rounded = pose.template cast<double>();
     rounded.rotation.normalize();
-    std::vector<FeaturePair> walk;
+    std::vector<ComparedFeatures> walk;
     const VClipResult<S> found = v_clip<S>(a, b, pose, nullptr, &walk);
     const auto truth = static_cast<double>(
         test::brute_force_distance(test::features_of(hull_cast<double>(a), {}),
@@ -61,8 +61,8 @@ template <class S> void judge_distances(int cases, std::uint64_t seed) {
     ASSERT_NEAR(static_cast<double>((found.on_b - found.on_a).norm()), truth, rounding) << i;
     // From the result, and from anywhere else, it ends at the same distance.
     EXPECT_EQ(v_clip<S>(a, b, pose, &found.features).steps, 0) << i;
-    const FeaturePair elsewhere{{FeatureKind::Face, random.index(a.face_count())},
-                                {FeatureKind::Vertex, random.index(b.vertex_count())}};
+    const ComparedFeatures elsewhere{{FeatureKind::Face, random.index(a.face_count())},
+                                     {FeatureKind::Vertex, random.index(b.vertex_count())}};
     const VClipResult<S> again = v_clip<S>(a, b, pose, &elsewhere);
     ASSERT_EQ(again.status, VClipStatus::Separated) << i;
     ASSERT_NEAR(static_cast<double>(again.distance), truth, rounding) << i;
@@ -98,7 +98,7 @@ TEST(VClip, ClosestFeaturesOfTwoBoxesAreTheirCornerEdgeAndFace) {
 // A box that turns once above another: from the last frame's features a few steps are enough.
 TEST(VClip, AWalkFromTheLastFrameIsShort) {
   const Hull<double> below = make_box(Vec3d(1, 0.5, 1)), above = make_box(Vec3d(0.5, 0.5, 0.5));
-  FeaturePair last{};
+  ComparedFeatures last{};
   int warm = 0, cold = 0;
   for (int i = 0; i < 360; ++i) {
     const Pose<double> pose{test::about(Vec3d(1, 2, 3).normalized(), test::kDegree * i),
