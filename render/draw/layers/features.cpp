@@ -1,5 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/points.h"
 
 /// The touching features: a corner, edge or face of one shape on a face of the other, or two edges.
 /// They name the contact and determine how many points it can have.
@@ -90,32 +91,53 @@ void draw_crossed_edges(const Scene& scene, const trace::Pair& pair,
   }
 }
 
-/// A feature of a hull, at its border: a ring, a line or a polygon.
-void draw_hull_feature(const Scene& scene, const trace::Pair& pair, const PairFeature& feature,
-                       float width, Color color, Sketch& sketch) {
-  const PlacedShape* shape = scene.find(feature.of_a ? pair.a : pair.b);
-  if (shape == nullptr) return;
-  if (feature.kind == 'v') {
-    sketch.mark(MarkKind::WideRing, shape->vertex(feature.index), color);
-  } else if (const auto ends = shape->edge(feature.index); feature.kind == 'e' && ends) {
-    sketch.line((*ends)[0], (*ends)[1], {width, color});
-  } else if (feature.kind == 'f') {
-    sketch.face(shape->polygon(feature.index), with_alpha(color, 0.3f), {0.7f * width, color});
-  }
+/// One corner of a vertex, two of an edge, all of a face; none if the hull has no such feature.
+std::vector<Vec3d> corners_of(const PlacedShape& shape, const PairFeature& feature) {
+  if (feature.index < 0) return {};
+  if (feature.kind == 'v' && feature.index < count_of(shape.vertices))
+    return {shape.vertex(feature.index)};
+  if (const auto ends = shape.edge(feature.index); feature.kind == 'e' && ends)
+    return {ends->begin(), ends->end()};
+  if (feature.kind == 'f' && feature.index < count_of(shape.mesh->normals))
+    return shape.polygon(feature.index);
+  return {};
 }
 
-/// The features that V-Clip compares in this frame, and those before it, numbered.
+constexpr Swatch kWalkSwatch{LegendGroup::Faces, 7, [](auto& pen) {
+                               pen.level_line(0, 22, 2, kDropped);
+                               pen.dot(0, 3.5, kDropped);
+                             }};
+
+/// The features that V-Clip compares in this frame, and the path over the middles of those before.
 void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::vector<trace::WalkStep>& walk = pair.query->walk;
   const int last = count_of(walk) - 1;
   const bool story = scene.view.story == Story::WalkSteps;
   const int shown = story ? std::clamp(scene.frame.frame, 0, last) : last;
-  for (int k = 0; k <= shown; ++k)
-    for (const PairFeature& feature : features_in(at(walk, k).features))
-      draw_hull_feature(scene, pair, feature, k < shown ? 2.5f : 6,
-                        k < shown ? kDropped : kIncidentFace, sketch);
+  for (const bool of_a : {true, false}) {
+    const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
+    if (shape == nullptr) continue;
+    std::vector<Vec3d> corners;
+    std::optional<Vec3d> before;
+    for (int k = 0; k <= shown; ++k) {
+      for (const PairFeature& feature : features_in(at(walk, k).features))
+        if (feature.of_a == of_a) corners = corners_of(*shape, feature);
+      if (corners.empty()) return;
+      const Vec3d middle = mean_of(corners);
+      if (before && middle == *before) continue;
+      if (before) sketch.line(*before, middle, {2, kDropped});
+      sketch.mark(MarkKind::Node, middle, kDropped);
+      before = middle;
+    }
+    if (corners.size() == 1) sketch.mark(MarkKind::WideRing, corners[0], kIncidentFace);
+    if (corners.size() == 2) sketch.line(corners[0], corners[1], {6, kIncidentFace});
+    if (corners.size() > 2)
+      sketch.face(corners, with_alpha(kIncidentFace, 0.35f), {5, kIncidentFace});
+  }
   sketch.explain(kTouchingFeatureSwatch,
-                 shown < last ? "features that are compared" : "closest features");
+                 (shown < last ? "features that are compared, " : "closest features, ") +
+                     spell_length(at(walk, shown).distance) + " apart");
+  if (shown > 0) sketch.explain(kWalkSwatch, "middles of the features before");
 }
 
 void draw_features(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {

@@ -93,7 +93,7 @@ class Reasons {
 
   void answer() {
     const trace::Query& query = *pair_.query;
-    std::string text = draw::spell_question(query) + " " + draw::spell_answer(pair_);
+    std::string text = "Query: " + draw::spell_question(query) + " " + draw::spell_answer(pair_);
     if (!query.walk.empty())
       text += ". V-Clip compared " + counted(count_of(query.walk), "pair") + " of features, last " +
               features(query.walk.back().features);
@@ -182,7 +182,7 @@ class Reasons {
     constexpr const char* kOrdinals[] = {"first", "second", "third", "fourth"};
     const trace::Reduction& reduction = *pair_.reduction;
     std::string text = k < 4 ? kOrdinals[k] : "as number " + std::to_string(k + 1);
-    if (k >= reduction.choices.size()) return text + ", all of them at once";
+    if (k >= reduction.choices.size()) return "together with the others" + ahead("points");
     static const std::map<std::string_view, const char*> kRules = {
         {"support", "farthest along a fixed direction"},
         {"deepest", "deepest"},
@@ -206,9 +206,12 @@ class Reasons {
       text += ", with " + draw::spell_share(reduction.area / reduction.best_area) +
               " of the largest area";
     text += ":";
-    for (std::size_t k = 0; k < reduction.kept.size(); ++k)
+    if (reduction.choices.empty())
+      text += "\n     points " +
+              listed(mapped(reduction.kept, [](int i) { return std::to_string(i); })) +
+              ", chosen together" + ahead("points");
+    for (std::size_t k = 0; k < reduction.choices.size() && k < reduction.kept.size(); ++k)
       text += "\n     point " + std::to_string(reduction.kept[k]) + " " + choice(k);
-    if (decision("points")) text += "\n   Together" + ahead("points");
     add(text, "Gregorius 2015, Contact Point Reduction");
   }
 
