@@ -40,7 +40,9 @@ template <class S> S baumgarte(S separation, const SolverSettings& settings, S h
 /// Catto 2024, "Solver2D", soft step: a damped spring of `hertz` and `damping_ratio`, limited to
 /// what the step can resolve, a quarter of the sub-steps' rate. Twice as stiff against infinite
 /// mass (ibid.), so that stacks sink less into their ground than into each other. The velocity of
-/// the push is not limited here: it is removed when the contact relaxes.
+/// the push is removed when the contact relaxes, but for the error of the sweeps: a part of it that
+/// bodies keep. So the spring is bent by at most the speculative margin, and correct_positions()
+/// moves the bodies by the rest.
 template <class S>
 PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_static, S h) {
   const S hertz = std::min(static_cast<S>(settings.hertz), S(0.25) / h) * (against_static ? 2 : 1);
@@ -62,7 +64,8 @@ PositionBias<S> position_bias(const ConstraintPoint<S>& point, bool on, bool aga
   if (settings.position_correction == PositionCorrection::Baumgarte)
     return {
         std::max(baumgarte(point.separation, settings, h), -static_cast<S>(settings.push_speed))};
-  return soft(point.separation, settings, against_static, h);
+  const S most = static_cast<S>(settings.speculative_margin.value_or(0));
+  return soft(std::max(point.separation, -most), settings, against_static, h);
 }
 
 /// Applies the initial impulses of the points.
@@ -215,7 +218,9 @@ void bounce(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& 
         continue;
       for (ConstraintPoint<S>& point : contact.points) {
         if (point.bounce == 0 && point.approach > 0) point.bounce = -point.approach;
-        PositionBias<S> bias = position_bias(point, true, against_static, settings, h);
+        // Not from the spring: bodies would keep the velocity of its push.
+        const bool push = settings.position_correction != PositionCorrection::Soft;
+        PositionBias<S> bias = position_bias(point, push, against_static, settings, h);
         if (point.bounce > 0) bias = {-point.bounce};
         if (point.bounce < 0) bias = {std::max(bias.velocity, -point.bounce)};
         const S before = point.normal_impulse;
@@ -347,7 +352,8 @@ void project_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConst
 /// Reduces overlaps as `settings` say, after the velocities have moved the bodies for a sub-step of
 /// `h` seconds. Projection leaves each point the slop. Baumgarte moves the bodies by the part of
 /// its share above the push speed, without momentum (Catto 2006, "Split Impulses"). All points that
-/// need less are held where the velocities have brought them.
+/// need less are held where the velocities have brought them. Soft contacts likewise, by what bends
+/// the spring too far.
 template <class S>
 void correct_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
                        const SolverSettings& settings, S h) {
@@ -357,11 +363,15 @@ void correct_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConst
                    [&](const auto&, const auto&, auto& point) { point.position_target = -slop; });
     return project_positions(bodies, contacts, settings.iterations);
   }
-  if (settings.position_correction != PositionCorrection::Baumgarte) return;
+  const bool is_soft = settings.position_correction == PositionCorrection::Soft;
+  const S bent = static_cast<S>(settings.speculative_margin.value_or(0));
   bool wants_more = false;
   for_each_point(bodies, contacts, [&](const auto& pair, const auto& contact, auto& point) {
-    const S share = -baumgarte(point.separation, settings, h);
-    const bool held_back = share > static_cast<S>(settings.push_speed);
+    const bool against_static = !(pair.a.body.dynamic() && pair.b.body.dynamic());
+    const S share = is_soft ? -soft(point.separation, settings, against_static, h).velocity
+                            : -baumgarte(point.separation, settings, h);
+    const bool held_back =
+        is_soft ? -point.separation > bent : share > static_cast<S>(settings.push_speed);
     point.position_target = held_back ? point.separation + h * share
                                       : std::min(separation_now(pair, contact, point), -slop);
     wants_more = wants_more || held_back;

@@ -356,11 +356,10 @@ std::vector<test::Place> shared_octagon() {
   return corners;
 }
 
-// All eight points are as deep as the others, so the four of the largest area are kept.
+// At first all eight points are equally deep, so the four of the largest area are kept. Later the
+// crate leans by micrometres, and they are the four of the largest area with the deepest one.
 TEST(TurnedCrates, RestOnFourPointsOfTheLargestArea) {
-  const std::vector<test::Place> octagon = shared_octagon();
-  ASSERT_EQ(octagon.size(), 8u);
-  const double largest = test::largest_area(octagon, 4);
+  const double largest = test::largest_area(shared_octagon(), 4);
   for (const char* pipeline : {"", "reducer = \"optimal_deepest\"\n", "scalar = \"double\"\n"}) {
     const Scenario scenario = parse_scenario(turned_crates(pipeline), "g/a.toml");
     Runner runner(scenario);
@@ -369,12 +368,22 @@ TEST(TurnedCrates, RestOnFourPointsOfTheLargestArea) {
       const auto pair = std::ranges::find_if(
           now.pairs, [](const trace::Pair& one) { return one.a == "lower" && one.b == "upper"; });
       ASSERT_NE(pair, now.pairs.end());
-      ASSERT_EQ(pair->manifolds.size(), 1u) << pipeline << frame;
-      std::vector<test::Place> kept;
-      for (const trace::Point& point : pair->manifolds[0].points)
-        kept.push_back({point.position.x(), point.position.z()});
-      ASSERT_EQ(kept.size(), 4u) << pipeline << frame;
-      EXPECT_NEAR(test::hull_area(kept), largest, 0.002 * largest) << pipeline << frame;
+      ASSERT_TRUE(pair->reduction) << pipeline << frame;
+      const auto& points = pair->reduction->points;
+      ASSERT_EQ(points.size(), 8u) << pipeline << frame;
+      ASSERT_EQ(pair->reduction->kept.size(), 4u) << pipeline << frame;
+      std::vector<test::Place> places;
+      for (const trace::Point& point : points)
+        places.push_back({point.position.x(), point.position.z()});
+      const double area = test::hull_area(test::at(places, pair->reduction->kept));
+      const int deepest = static_cast<int>(
+          std::ranges::min_element(points, {}, &trace::Point::separation) - points.begin());
+      const double with_deepest = test::largest_area(
+          places, 4, [&](const auto& chosen) { return std::ranges::count(chosen, deepest) > 0; });
+      EXPECT_GE(area, with_deepest - 1e-6) << pipeline << frame;
+      if (frame == 0) {
+        EXPECT_NEAR(area, largest, 1e-6) << pipeline;
+      }
     }
   }
 }
