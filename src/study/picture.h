@@ -126,7 +126,7 @@ inline constexpr const char* kGuarded = "no threshold, each gap judged by its ow
 /// Results of plots that are too long for their row in pictures.cpp.
 using PictureResult = std::string(Picture& plot);
 PictureResult result_of_thresholds, result_of_broad_phases, result_of_updates, result_of_refitting,
-    result_of_coherence, result_near_plane, result_of_last_bits, result_of_impacts,
+    result_of_coherence, result_near_plane, result_of_last_bits, result_of_phase, result_of_impacts,
     result_of_bullets, result_of_fields, result_of_building, result_of_points, result_of_plate,
     result_of_jitter, result_of_max_points, result_of_ratios, result_of_energy, result_of_distance,
     result_of_overlaps;

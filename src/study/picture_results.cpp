@@ -211,6 +211,22 @@ std::string result_of_last_bits(Picture& plot) {
          wrong_in("Exact");
 }
 
+std::string result_of_phase(Picture& plot) {
+  const auto by_edges = [&](const std::string& panel) {
+    double edges = 0, touching = 0;
+    for (const StudySeries& line : plot.lines)
+      for (const StudyPoint& point : line.points) {
+        if (line.panel != panel) continue;
+        edges += point.error == 3;
+        touching += point.error != 0;
+      }
+    return percent(edges / touching);
+  };
+  return "Two edges make the contact in " + by_edges("No preference") + " of the poses, in " +
+         by_edges("Faces preferred") +
+         " if faces are preferred: a pair flips where it crosses a border";
+}
+
 std::string result_of_impacts(Picture& plot) {
   // Means exclude missed hits.
   for (StudySeries& line : plot.lines) {

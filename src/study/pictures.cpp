@@ -248,6 +248,11 @@ const std::vector<PictureRow>& picture_rows() {
           "diagonal it touches the plane, above it crosses",
           {}, &result_of_last_bits),
 
+      row("phase", "features", kAll,
+          {{"preference none", "No preference"}, {"preference relative", "Faces preferred"}}, "", "",
+          "Colour: what makes the contact of a cube that stands on its edge, 30 mm deep in another",
+          {}, &result_of_phase),
+
       // Hulls without rotation have the same errors in less time.
       row("time_of_impact", "error",
           {kImpacts[0], {"64 samples", "64 samples of the step", false, 1}}, {{"rotating", ""}},

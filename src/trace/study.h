@@ -81,11 +81,13 @@ enum class StudyForm {
   Map,            // a cell per parameter and row, coloured by the decade of its worst error
   Answers,        // likewise, coloured by the answer for two shapes, which is stored as the error:
                   // 0 separated, 1 touching, 2 crossing; failed if the answer is wrong
+  Features,       // likewise, coloured by what makes the contact of two hulls: 0 nothing, 1 a face
+                  // of A, 2 a face of B, 3 two edges
 };
 
-/// "work_precision", "curves", "map", "answers".
+/// "work_precision", "curves", "map", "answers", "features".
 constexpr const char* to_string(StudyForm form) {
-  constexpr const char* kNames[] = {"work_precision", "curves", "map", "answers"};
+  constexpr const char* kNames[] = {"work_precision", "curves", "map", "answers", "features"};
   return kNames[static_cast<int>(form)];
 }
 

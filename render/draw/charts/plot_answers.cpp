@@ -11,33 +11,47 @@ constexpr double kLeftOfAnswers = 36;
 constexpr double kBetweenAnswers = 28;
 constexpr double kOverAnswers = 20;
 constexpr double kUnderAnswers = 44;
-constexpr int kTickStep = 8;  // units
 
 struct NamedAnswer {
   const char* name;
   Color color;  // Okabe-Ito
 };
-constexpr std::array<NamedAnswer, 3> kAnswers = {
-    {{"apart", rgb(0x56B4E9)}, {"touching", rgb(0xF0E442)}, {"crossing", rgb(0xD55E00)}}};
+constexpr NamedAnswer kAnswers[] = {
+    {"apart", rgb(0x56B4E9)}, {"touching", rgb(0xF0E442)}, {"crossing", rgb(0xD55E00)}};
+constexpr NamedAnswer kFeatures[] = {{"apart", rgb(0xFFFFFF)},
+                                     {"face of A", kReferenceFace},
+                                     {"face of B", kIncidentFace},
+                                     {"two edges", kAxis}};
 constexpr Color kWrongAnswer = rgb(0x000000);
 
-const NamedAnswer& answer_at(const trace::StudyPoint& point) {
-  return at(kAnswers, std::clamp(static_cast<int>(point.error.value_or(0)), 0, 2));
-}
-
 struct AnswerMaps : Pen {
+  AnswerMaps(Pen pen, trace::StudyForm form)
+      : Pen(pen),
+        is_judged(form == trace::StudyForm::Answers),
+        answers(is_judged ? std::span<const NamedAnswer>(kAnswers) : kFeatures) {}
+
+  bool is_judged;  // an answer can be wrong
+  double tick_along_by = is_judged ? 8 : 80, tick_up_by = is_judged ? 8 : 15;  // units
+  std::span<const NamedAnswer> answers;
+
+  const NamedAnswer& answer_at(const trace::StudyPoint& point) const {
+    const auto last = static_cast<double>(answers.size() - 1);
+    return answers[static_cast<std::size_t>(std::clamp(point.error.value_or(0), 0.0, last))];
+  }
+
   void legend(const Point2& begin) const {
     float x = begin.x;
     const auto name = [&](const char* what) {
       text(what, {x + px(32), begin.y + px(5)}, Align::Left, kText);
       x += px(32) + width_of(what) + px(18);
     };
-    for (const NamedAnswer& answer : kAnswers) {
+    for (const NamedAnswer& answer : answers) {
       const Rect box{x, begin.y - px(8), px(26), px(16)};
       fill(box, answer.color);
       frame(box, 1.2, kChartBorder);
       name(answer.name);
     }
+    if (!is_judged) return;
     fill(middle_of({x + px(5), begin.y - px(8), px(16), px(16)}), kWrongAnswer);
     name("wrong");
   }
@@ -82,17 +96,16 @@ struct AnswerMaps : Pen {
     const auto left = static_cast<float>(area.x), right = static_cast<float>(area.right());
     const float above = static_cast<float>(area.y) - px(6);
     text(panel.name, {left, above}, Align::Left, kText, Weight::Bold);
-    text(spell_count(wrong) + " of " + spell_count(of) + " wrong", {right, above}, Align::Right,
-         kText);
+    if (is_judged)
+      text(spell_count(wrong) + " of " + spell_count(of) + " wrong", {right, above}, Align::Right,
+           kText);
     text("across: " + panel.parameter + ", up: " + row,
          {left, static_cast<float>(area.bottom()) + px(38)}, Align::Left, kQuietText);
   }
 
  private:
-  static bool has_tick(double value) { return std::remainder(value, kTickStep) == 0; }
-
   void tick_up(double value, float y, const PlotPanel& panel) const {
-    if (!has_tick(value)) return;
+    if (std::remainder(value, tick_up_by) != 0) return;
     const auto left = static_cast<float>(panel.area.x);
     line({left - px(5), y}, {left, y}, 1.2, kChartBorder);
     if (panel.begins_row)
@@ -100,7 +113,7 @@ struct AnswerMaps : Pen {
   }
 
   void tick_along(double value, float x, const Rect& area) const {
-    if (!has_tick(value)) return;
+    if (std::remainder(value, tick_along_by) != 0) return;
     const auto bottom = static_cast<float>(area.bottom());
     line({x, bottom}, {x, bottom + px(5)}, 1.2, kChartBorder);
     text(spell_number(value), {x, bottom + px(18)}, Align::Center, kQuietText);
@@ -112,7 +125,7 @@ struct AnswerMaps : Pen {
 Drawing plot_answers(const trace::Study& study, int width, int height) {
   PlotPage page = plot_page(study, study.shown.empty() ? "Colour: " + study.error : study.shown,
                             true, width, height);
-  const AnswerMaps maps{Pen(page.drawing, page.scale, kPlotText)};
+  const AnswerMaps maps{Pen(page.drawing, page.scale, kPlotText), study.form};
   maps.legend(page.legend);
   std::vector<PlotPanel> panels = panels_of(study);
   const double scale = page.scale, count = static_cast<double>(panels.size());
