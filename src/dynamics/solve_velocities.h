@@ -40,9 +40,8 @@ template <class S> S baumgarte(S separation, const SolverSettings& settings, S h
 /// Catto 2024, "Solver2D", soft step: a damped spring of `hertz` and `damping_ratio`, limited to
 /// what the step can resolve, a quarter of the sub-steps' rate. Twice as stiff against infinite
 /// mass (ibid.), so that stacks sink less into their ground than into each other. The velocity of
-/// the push is removed when the contact relaxes, but for the error of the sweeps: a part of it that
-/// bodies keep. So the spring is bent by at most the speculative margin, and correct_positions()
-/// moves the bodies by the rest.
+/// the push is removed when the contact relaxes, but for the error of the sweeps, which bodies keep.
+/// So it is at most the push speed too.
 template <class S>
 PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_static, S h) {
   const S hertz = std::min(static_cast<S>(settings.hertz), S(0.25) / h) * (against_static ? 2 : 1);
@@ -54,6 +53,15 @@ PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_
   return {omega / a1 * overlap, a2 * a3, a3};
 }
 
+/// The push that Baumgarte or a soft contact wants, whatever its speed.
+template <class S>
+PositionBias<S> wanted_push(S separation, const SolverSettings& settings, bool against_static,
+                            S h) {
+  if (settings.position_correction == PositionCorrection::Soft)
+    return soft(separation, settings, against_static, h);
+  return {baumgarte(separation, settings, h)};
+}
+
 /// Bias of a point in a sub-step of `h` seconds. Off: overlap is ignored. `settings` are settled().
 template <class S>
 PositionBias<S> position_bias(const ConstraintPoint<S>& point, bool on, bool against_static,
@@ -61,11 +69,9 @@ PositionBias<S> position_bias(const ConstraintPoint<S>& point, bool on, bool aga
   // Speculative contact (Catto 2013, "Continuous Collision"): may close up to its separation.
   if (point.separation > 0) return {point.separation / h, S(1), S(0)};
   if (!on || settings.position_correction == PositionCorrection::Projection) return {};
-  if (settings.position_correction == PositionCorrection::Baumgarte)
-    return {
-        std::max(baumgarte(point.separation, settings, h), -static_cast<S>(settings.push_speed))};
-  const S most = static_cast<S>(settings.speculative_margin.value_or(0));
-  return soft(std::max(point.separation, -most), settings, against_static, h);
+  PositionBias<S> bias = wanted_push(point.separation, settings, against_static, h);
+  bias.velocity = std::max(bias.velocity, -static_cast<S>(settings.push_speed));
+  return bias;
 }
 
 /// Applies the initial impulses of the points.
@@ -350,10 +356,9 @@ void project_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConst
 }
 
 /// Reduces overlaps as `settings` say, after the velocities have moved the bodies for a sub-step of
-/// `h` seconds. Projection leaves each point the slop. Baumgarte moves the bodies by the part of
-/// its share above the push speed, without momentum (Catto 2006, "Split Impulses"). All points that
-/// need less are held where the velocities have brought them. Soft contacts likewise, by what bends
-/// the spring too far.
+/// `h` seconds. Projection leaves each point the slop. The others move the bodies by the part of
+/// their push above the push speed, without momentum (Catto 2006, "Split Impulses"). All points that
+/// need less are held where the velocities have brought them.
 template <class S>
 void correct_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
                        const SolverSettings& settings, S h) {
@@ -363,15 +368,11 @@ void correct_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConst
                    [&](const auto&, const auto&, auto& point) { point.position_target = -slop; });
     return project_positions(bodies, contacts, settings.iterations);
   }
-  const bool is_soft = settings.position_correction == PositionCorrection::Soft;
-  const S bent = static_cast<S>(settings.speculative_margin.value_or(0));
   bool wants_more = false;
   for_each_point(bodies, contacts, [&](const auto& pair, const auto& contact, auto& point) {
     const bool against_static = !(pair.a.body.dynamic() && pair.b.body.dynamic());
-    const S share = is_soft ? -soft(point.separation, settings, against_static, h).velocity
-                            : -baumgarte(point.separation, settings, h);
-    const bool held_back =
-        is_soft ? -point.separation > bent : share > static_cast<S>(settings.push_speed);
+    const S share = -wanted_push(point.separation, settings, against_static, h).velocity;
+    const bool held_back = share > static_cast<S>(settings.push_speed);
     point.position_target = held_back ? point.separation + h * share
                                       : std::min(separation_now(pair, contact, point), -slop);
     wants_more = wants_more || held_back;

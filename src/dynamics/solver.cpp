@@ -13,13 +13,23 @@ template <class S> std::vector<SolverBody<S>> solver_bodies(const std::vector<Bo
   return moving;
 }
 
+/// Push speed of soft contacts, m/s: a quarter of the speed after a fall from half of the smallest
+/// edge. The error of the sweeps, up to a third of it, is then less than a hundredth of the energy
+/// of that body. Without gravity there is no such measure.
+template <class S> double soft_push_speed(double gravity, const std::vector<Body<S>>& bodies) {
+  return gravity > 0 ? 0.25 * std::sqrt(gravity * smallest_edge(bodies))
+                     : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 template <class S>
 void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> pairs,
                 std::vector<PairImpulses<S>>& impulses, const Vec3<S>& gravity,
                 const SolverSettings& given, S dt) {
-  const SolverSettings settings = settled(given, bodies);
+  SolverSettings settings = settled(given, bodies);
+  if (settings.position_correction == PositionCorrection::Soft)
+    settings.push_speed = soft_push_speed(static_cast<double>(gravity.norm()), bodies);
   std::vector<SolverBody<S>> moving = solver_bodies(bodies);
   const std::span<SolverBody<S>> all(moving);
   impulses.resize(pairs.size());

@@ -42,18 +42,22 @@ template <class S> struct PointImpulse {
 /// Impulses of one pair, in the order of its manifolds and their points.
 template <class S> using PairImpulses = std::vector<PointImpulse<S>>;
 
-/// Fills missing lengths from the smallest shortest_edge() of all dynamic bodies, or from 0 if
-/// there are none; see solver_settings.h.
-template <class S>
-SolverSettings settled(const SolverSettings& settings, const std::vector<Body<S>>& bodies) {
-  if (settings.slop && settings.speculative_margin && settings.sleep_speed) return settings;
+/// The smallest shortest_edge() of all dynamic bodies, metres; 0 if there are none.
+template <class S> double smallest_edge(const std::vector<Body<S>>& bodies) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Body<S>& body : bodies) {
     if (!body.dynamic()) continue;
     const Mat3<double> inertia = body.inertia.template cast<double>();
     smallest = std::min(smallest, shortest_edge(static_cast<double>(body.mass), inertia));
   }
-  return settled(settings, smallest < std::numeric_limits<double>::infinity() ? smallest : 0);
+  return smallest < std::numeric_limits<double>::infinity() ? smallest : 0;
+}
+
+/// Fills missing lengths from the smallest_edge(); see solver_settings.h.
+template <class S>
+SolverSettings settled(const SolverSettings& settings, const std::vector<Body<S>>& bodies) {
+  if (settings.slop && settings.speculative_margin && settings.sleep_speed) return settings;
+  return settled(settings, smallest_edge(bodies));
 }
 
 /// Moves `bodies` by `dt` seconds (> 0) so that the contacts hold. `pairs`: contacts at the current
