@@ -371,8 +371,9 @@ void correct_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConst
   bool wants_more = false;
   for_each_point(bodies, contacts, [&](const auto& pair, const auto& contact, auto& point) {
     const bool against_static = !(pair.a.body.dynamic() && pair.b.body.dynamic());
-    const S share = -wanted_push(point.separation, settings, against_static, h).velocity;
-    const bool held_back = share > static_cast<S>(settings.push_speed);
+    const auto push = wanted_push(point.separation, settings, against_static, h);
+    const S share = -push.mass_scale * push.velocity;
+    const bool held_back = -push.velocity > static_cast<S>(settings.push_speed);
     point.position_target = held_back ? point.separation + h * share
                                       : std::min(separation_now(pair, contact, point), -slop);
     wants_more = wants_more || held_back;

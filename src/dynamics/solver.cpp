@@ -52,8 +52,8 @@ void solve_step(std::vector<Body<S>>& bodies, std::span<const PairContacts<S>> p
       solve_velocities(all, contacts, settings, true, h);
     bounce(all, contacts, settings, gravity, h);
     for (SolverBody<S>& body : moving) integrate_position(body, h);
-    if (settings.position_correction == PositionCorrection::Soft) relax(all, contacts, settings, h);
     correct_positions(all, contacts, settings, h);
+    if (settings.position_correction == PositionCorrection::Soft) relax(all, contacts, settings, h);
     for_each_point(all, contacts, [](const auto&, const auto&, auto& point) {
       point.total_normal += point.normal_impulse;
       point.total_u += point.friction_u;
