@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kHalf = 0.5;   // metres, of both cubes
 constexpr double kDeep = 0.03;  // metres, of the lower edge of B below the upper face of A
-constexpr int kFirst = 400, kLast = 700, kStep = 4;  // millimetres, along A's face
+constexpr int kFirst = 520, kLast = 720, kStep = 2;  // millimetres, along A's face
 
 constexpr double kTurn = 12;  // degrees about the vertical, so that edges cross
 
@@ -31,16 +31,17 @@ double features_of(const Hull<double>& cube, double along, double degrees, Prefe
 
 }  // namespace
 
-/// A phase diagram: which features make the contact of two cubes, over each offset and turn of the
-/// upper one, which stands on its edge near an edge of the lower one. A pair that moves across a
+/// A phase diagram: which features make the contact of two cubes, over each offset and tilt of the
+/// upper one, whose lower edge is near an edge of the lower one and crosses it. A pair that moves across a
 /// border has another normal and other ids: "Feature Flip-Flop" (Catto 2007, Gregorius 2015). With
 /// preference = "relative" faces keep what is nearly as deep; the border remains, elsewhere.
 std::vector<trace::Study> study_phase(const StudyOptions&, const StudyProgress& progress) {
   std::vector<trace::Study> results =
-      results_of("phase", "double", "millimetres from the middle of A's face", "the table of pairs",
+      results_of("phase", "double", "millimetres from the middle of A's face",
+                 "no other: it is the pipeline's choice",
                  {{"features", "Which features make the contact of two cubes", "features"}},
                  trace::StudyForm::Features);
-  results[0].row = "degrees about the vertical";
+  results[0].row = "degrees of tilt";
   const Hull<double> cube = make_box(Vec3d::Constant(kHalf));
   const StudyStep step = counted(progress, 2);
   for (const Preference preference : {Preference::None, Preference::Relative}) {

@@ -250,7 +250,7 @@ const std::vector<PictureRow>& picture_rows() {
 
       row("phase", "features", kAll,
           {{"preference none", "No preference"}, {"preference relative", "Faces preferred"}}, "", "",
-          "Colour: what makes the contact of a cube that stands on its edge, 30 mm deep in another",
+          "Colour: what makes the contact of a cube whose lower edge is 30 mm deep in another's face, at 12 degrees to its edge",
           {}, &result_of_phase),
 
       // Hulls without rotation have the same errors in less time.

@@ -78,7 +78,7 @@ const std::vector<StudyInfo>& studies() {
       {"distance_field",
        "distance fields: error against time and memory, what sampling misses, thin plates",
        &study_distance_field},
-      {"phase", "which features make the contact of two boxes, by offset and turn", &study_phase},
+      {"phase", "which features make the contact of two cubes, by offset and tilt", &study_phase},
       {"flip_distance", "smallest change of a pose after which the pair has other points",
        &study_flip_distance, true},
   };
