@@ -176,9 +176,9 @@ bool has_strips(const draw::Drawing& drawing) {
   });
 }
 
-void write_both(const draw::Drawing& drawing, const std::string& stem, FontFaces& faces) {
-  write(stem + ".svg", svg_of(drawing, {.fonts = &faces}));
-  write(stem + ".pdf", pdf_of(drawing));
+void write_files(const draw::Drawing& drawing, const Trial& trial, FontFaces& faces) {
+  if (trial.svg) write(trial.stem + ".svg", svg_of(drawing, {.fonts = &faces}));
+  if (trial.pdf) write(trial.stem + ".pdf", pdf_of(drawing));
 }
 
 TEST(EveryScenario, AMissingSignIsSeen) {
@@ -191,7 +191,7 @@ TEST(EveryScenario, AMissingSignIsSeen) {
   rasterizer.paint(drawing);
   FontFaces faces;
   const Trial whole{"whole", folder / "whole", rasterizer.read()};
-  write_both(drawing, whole.stem, faces);
+  write_files(drawing, whole, faces);
   EXPECT_EQ(judged(whole), "");
   const auto wrong_without = [&](const std::string& name, const auto& is_gone) {
     draw::Drawing less = drawing;
@@ -199,7 +199,7 @@ TEST(EveryScenario, AMissingSignIsSeen) {
     ASSERT_NE(gone, less.primitives.end());
     std::visit([](auto& shape) { shape.color.a = 0; }, *gone);
     const Trial trial{name, folder / name, whole.ours};
-    write_both(less, trial.stem, faces);
+    write_files(less, trial, faces);
     const std::string wrong = judged(trial);
     EXPECT_NE(wrong.find("rsvg-convert"), std::string::npos) << name;
     EXPECT_NE(wrong.find("pdftoppm"), std::string::npos) << name;
@@ -255,7 +255,7 @@ TEST(EveryScenario, SvgAndPdfShowWhatThePixelsDo) {
     std::string flat = trial.name;
     std::ranges::replace(flat, '/', '_');
     trial.stem = (out / flat).string();
-    write_both(drawing, trial.stem, faces);
+    write_files(drawing, trial, faces);
     if (kept != nullptr) write_png(trial.stem + "_ours.png", trial.ours);
     if (running.size() >= 2) take_first();
     running.push_back(std::async(std::launch::async, judged, std::move(trial)));
