@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/ghost.h"
 #include "draw/scene/quantity.h"
+#include "draw/scene/solid.h"
 
 /// Catto 2007, "Extreme Fuzziness": deeply overlapping hulls have several ways out. The shortest is
 /// the contact's normal. Each is drawn from the centre of B, in the length of the overlap along it.

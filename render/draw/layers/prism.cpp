@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/solid.h"
 
 /// Positions of a ball's centre at which it touches a triangle: a prism with rounded edges. Its
 /// flat sides belong to the face, its cylinders to the edges, its spheres to the vertices. A swept

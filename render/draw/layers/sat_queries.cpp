@@ -2,7 +2,6 @@
 #include <array>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/ghost.h"
 #include "draw/scene/pair_words.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"

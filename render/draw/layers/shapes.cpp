@@ -5,7 +5,6 @@
 
 #include "core/at.h"
 #include "draw/layers/layer.h"
-#include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "draw/layers/layer.h"
-#include "draw/scene/ghost.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/scene/ghost.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pair_words.h"

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/cli/faults.h"
 #include "app/cli/narrow.h"
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
@@ -77,7 +78,13 @@ void print_json(const std::vector<Hit>& hits, const find::Expression& expression
 ExitCode run_find(const Options& options) {
   note_interrupts();
   find::Finder finder(condition_of("EXPRESSION", options.condition));
-  TraceFile file(options.scenarios.front());
+  TraceFile file(options.scenarios.front(),
+                 finder.wants_lint() ? TraceFile::Passes::Several : TraceFile::Passes::One);
+  if (finder.wants_lint()) {
+    const auto& only = options.frames;
+    finder.take(lint_trace(file, {.is_marked = [&](int f) { return !only || only->names(f); }}));
+    file.rewind();
+  }
   Workers workers(hardware_threads());
   std::vector<Hit> hits;
   std::set<int> found;
@@ -125,10 +132,13 @@ Since the frame before: normal_turn, overlap_change, impulse_change, points_gain
 ids_lost, and of the shape that moves more motion (of its origin) and turn. age: frames of contact without a
 break, 0 in the first. away: frames without contact before that. A pair that leaves the trace is tried once
 more, without points.
+lint: how many findings of `lint` concern the pair in the frame; lint.CAUSE: those of one cause. A pair that a
+finding names is tried also where the trace has no record of it.
 
 Examples:
   contactscope find run.jsonl 'overlap > 5 mm and normal_turn > 20 deg'
   contactscope find run.jsonl 'points_lost > 0 and motion < 1 mm'     # contacts that flicker
+  contactscope find run.jsonl 'lint.pairs_flicker and impulse == 0'   # causes as in the brackets of `lint`
   contactscope find run.jsonl "age == 0 and away <= 2 and a == 'floor'" --json
 Exit codes: 0 something is found, 1 nothing is, 2 an error.)"};
 }
