@@ -70,7 +70,8 @@ std::vector<At> find(const std::string& text, const std::vector<lint::Finding>& 
   std::vector<At> found;
   for (const trace::Frame& frame : sample())
     for (const Hit& hit : finder.next(frame))
-      found.push_back({hit.frame, std::ranges::find(kNames, hit.b)->c_str()});
+      found.push_back(
+          {hit.frame, std::ranges::find(kNames, hit.a == "floor" ? hit.b : hit.a)->c_str()});
   return found;
 }
 
@@ -191,7 +192,8 @@ TEST(Finder, ReadsTheSameFromTextOnSeveralThreadsWithoutTheOtherParts) {
       EXPECT_FALSE(frame.pairs.front().sat || frame.pairs.front().cache);
       EXPECT_EQ(frame.poses.empty(), std::string(condition) == "age == 0");
       for (const Hit& hit : finder.next(std::move(frame)))
-        found.push_back({hit.frame, std::ranges::find(kNames, hit.b)->c_str()});
+        found.push_back(
+            {hit.frame, std::ranges::find(kNames, hit.a == "floor" ? hit.b : hit.a)->c_str()});
     }
     EXPECT_THAT(found, testing::ElementsAreArray(find(condition)));
     ASSERT_TRUE(reader.torn());
