@@ -274,18 +274,6 @@ std::vector<std::vector<float>> legend_widths(const Staging& staging,
   return widths;
 }
 
-/// The two shapes of the pair that `focus` means, in the frame where it is largest.
-std::vector<std::string> names_in_focus(const std::vector<trace::Frame>& frames, Focus focus,
-                                        const ShapeMeshes& meshes) {
-  const Rank by = focus == Focus::Worst ? Rank::Worst : Rank::Overlap;
-  RankedPair first;
-  for (const trace::Frame& frame : frames)
-    for (const RankedPair& ranked : ranked_pairs(frame, by, 1, meshes))
-      if (ranked.value > first.value) first = ranked;
-  if (first.pair == nullptr) return {};
-  return {first.pair->a, first.pair->b};
-}
-
 /// Next to a much smaller shape, a large one in focus is only context.
 Cast cast_of(const std::vector<trace::Frame>& frames, const View& view, const ShapeMeshes& meshes,
              bool is_trace) {
@@ -308,6 +296,19 @@ Cast cast_of(const std::vector<trace::Frame>& frames, const View& view, const Sh
 
 }  // namespace
 
+Fault::Place place_in_focus(const View& view, const std::vector<trace::Frame>& frames,
+                            const ShapeMeshes& meshes) {
+  const bool is_worst = view.focus == Focus::Worst;
+  if (const Fault::Place* const named = view.first_fault(); is_worst && named) return *named;
+  double most = 0;
+  Fault::Place place;
+  for (const trace::Frame& frame : frames)
+    for (const auto& [pair, value] :
+         ranked_pairs(frame, is_worst ? Rank::Worst : Rank::Overlap, 1, meshes))
+      if (value > most) most = value, place = {frame.frame, pair->a, pair->b};
+  return place;
+}
+
 Staging stage(const trace::Header& header, const std::vector<trace::Frame>& frames,
               const View& requested, int width, int height, const FigureStyle& style,
               const LayerTable& layers, const std::vector<int>& stored,
@@ -316,8 +317,11 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   const std::vector<Panel> insets = take_insets(view);
   ShapeMeshes meshes(header.shapes);
   const std::vector<trace::Frame>& to_fit = fitted != nullptr ? fitted->frames : frames;
-  if (view.focus == Focus::Deepest || view.focus == Focus::Worst)
-    view.focus_on = names_in_focus(to_fit, view.focus, meshes);
+  if (view.focus == Focus::Deepest || view.focus == Focus::Worst) {
+    const Fault::Place place = place_in_focus(view, to_fit, meshes);
+    view.focus_on = {place.a, place.b};
+    std::erase(view.focus_on, "");
+  }
   const Cast cast = cast_of(to_fit, view, meshes, fitted != nullptr);
   const Extent extent = gather(header, to_fit, view, meshes, false, cast);
   const auto camera_in = [&](const Rect& viewport) {

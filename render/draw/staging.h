@@ -50,6 +50,10 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
               const LayerTable& layers = kLayers, const std::vector<int>& stored = {},
               const FittedFrames* fitted = nullptr);
 
+/// Frame and shapes that Focus::Deepest or Worst means; no shapes if none overlap.
+Fault::Place place_in_focus(const View& view, const std::vector<trace::Frame>& frames,
+                            const ShapeMeshes& meshes);
+
 /// Draws one frame from the trace alone, without computing contacts. Equal frames give equal
 /// drawings.
 Drawing illustrate(const Staging& staging, const trace::Frame& frame);

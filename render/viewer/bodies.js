@@ -3,6 +3,16 @@
 const WALL = 2.5;  // sizes of a typical body: what is larger may be a wall
 const SMALL = 0.1;  // sizes per distance: half a pixel is less than what coarser surfaces change
 const CREASE = Math.cos(25 * Math.PI / 180);  // flatter edges are not drawn
+// A window through all that stands before what is selected: its middle and radius (0: none), and whether it opens for a colour.
+const WINDOW = `
+  uniform vec4 window;
+  bool opens(vec3 seen, float alpha) {
+    if (window.w <= 0. || alpha > 1.5) return false;
+    vec3 middle = (viewMatrix * vec4(window.xyz, 1.)).xyz, ray = normalize(seen);
+    float along = dot(middle, ray);
+    return dot(seen, ray) < along && length(middle - along * ray) < window.w;
+  }`;
+const windowed = { value: null };
 const TONE = `
   uniform vec3 tones; uniform vec2 borders; varying vec4 vTint; varying vec3 vNormal, vSeen;
   float toneOf(vec3 n) {
@@ -25,7 +35,7 @@ const SURFACE = [TONE + `
     vCut = vec2(dot(normalize(vNormal), middle - vSeen) + wall, dot(middle, middle));
     #endif
     gl_Position = projectionMatrix * seen;
-  }`, TONE + `
+  }`, TONE + WINDOW + `
   uniform vec3 edge; uniform float alpha;
   #ifdef WALL
   varying vec2 vCut;
@@ -34,6 +44,8 @@ const SURFACE = [TONE + `
     #ifdef WALL
     // A wall in front of the contacts is cut away: they are behind its face, and farther from the eye.
     if (vCut.x < 0. && dot(vSeen, vSeen) < vCut.y) discard;
+    #elif defined(OPENS)
+    if (opens(vSeen, vTint.a)) discard;
     #endif
     #ifdef FLAT
     gl_FragColor = vec4(vTint.rgb, alpha);
@@ -115,7 +127,8 @@ class Bodies {
     this.matrices = data.shapes.map(() => new THREE.Matrix4());
     this.here = data.shapes.map(() => false);
     this.probe = new THREE.Mesh();
-    this.lines = new Lines(1);
+    windowed.value = new THREE.Vector4();
+    this.lines = new Lines(1, WINDOW, windowed);
     const forms = new Map(), deformed = new Set(Object.values(data.deformed).flatMap(Object.keys));
     data.shapes.forEach((shape, body) => {
       const key = JSON.stringify([shape.vertices, shape.faces, shape.radius, shape.half_space, deformed.has(shape.name) && body]);
@@ -130,7 +143,7 @@ class Bodies {
         transparent: !opaque, depthWrite: opaque, side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
         defines: { ...round && { ROUND: 1 }, ...!round && !open && { FLAT: 1 }, ...isWall && { WALL: 1 } },
         uniforms: { tones: { value: point3(data.tones) }, borders: { value: new THREE.Vector2(...data.tone_borders) },
-          edge: { value: new THREE.Vector3() }, alpha: { value: opaque ? 1 : 0.62 }, subject: this.subject, wall: { value: isWall ? 0.2 * this.size : 0 } } });
+          edge: { value: new THREE.Vector3() }, alpha: { value: opaque ? 1 : 0.62 }, window: windowed, subject: this.subject, wall: { value: isWall ? 0.2 * this.size : 0 } } });
       const mesh = Object.assign(new THREE.InstancedMesh(geometry, material, members.length), { frustumCulled: false });
       scene.add(mesh);
       const coarse = round ? surfaceOf(data.shapes[members[0]], this.reach, 0.75).geometry : geometry;
@@ -154,6 +167,24 @@ class Bodies {
     });
   }
 
+  /** Opens a window to the smaller of the bodies, at their contacts if there are any in the record. */
+  open(chosen, record) {
+    const body = chosen.filter(one => this.here[one]).sort((a, b) => this.sizes[a] - this.sizes[b])[0], at = [];
+    windowed.value.set(0, 0, 0, 0);
+    const isOpen = body !== undefined && this.opaque;
+    // Only then, since no fragment is left out early where any may be discarded.
+    for (const material of Object.values(this.materials))
+      if (Boolean(material.defines.OPENS) !== isOpen && !material.defines.WALL) {
+        if (isOpen) material.defines.OPENS = true;
+        else delete material.defines.OPENS;
+        material.needsUpdate = true;
+      }
+    if (!isOpen) return;
+    if (record >= 0) eachPoint(record, i => at.push(point3(positionOf(i))));
+    const middle = at.length ? at.reduce((sum, one) => sum.add(one), new THREE.Vector3()).divideScalar(at.length) : new THREE.Vector3().setFromMatrixPosition(this.matrices[body]);
+    windowed.value.set(...middle.toArray(), 0.8 * Math.min(this.sizes[body] || this.size, 2 * this.size));
+  }
+
   /** `chosen`: bodies that stand out. */
   draw(shown, chosen) {
     const edge = color.get('edge'), none = new THREE.Matrix4().makeScale(0, 0, 0), { lines, matrices, creases } = this;
@@ -167,7 +198,7 @@ class Bodies {
         tints.array.set(tint, 4 * i);
         if (!shown || !this.here[body] || !creases[body].length) return;
         const world = data.shapes[body].vertices.map(vertex => point3(vertex).applyMatrix4(matrices[body]).toArray());
-        for (const { ends: [from, to], flat } of creases[body]) lines.add(world[from], world[to], edge, flat ? 0.7 : wide, flat ? 0.25 : wide < 1 ? 0.5 : 1);
+        for (const { ends: [from, to], flat } of creases[body]) lines.add(world[from], world[to], edge, flat ? 0.7 : wide, stands ? 2 : flat ? 0.25 : wide < 1 ? 0.5 : 1);
       });
       mesh.instanceMatrix.needsUpdate = true;
       mesh.material.uniforms.edge.value.set(...edge);
@@ -190,14 +221,16 @@ class Bodies {
   /** The nearest body on a ray; -1 without one. */
   hit(raycaster) {
     const hits = [];
-    for (const { members, mesh } of this.forms)
+    for (const { members, mesh, tints } of this.forms)
       for (const body of members.filter(member => this.here[member])) {
         Object.assign(this.probe, { geometry: mesh.geometry, material: mesh.material, matrixWorld: this.matrices[body], body });
         const met = [], { wall, subject: { value: subject } } = mesh.material.uniforms, { origin } = raycaster.ray;
         this.probe.raycast(raycaster, met);
-        // Nothing is hit where the shader cuts a wall away.
+        // Nothing is hit where the shader cuts a wall away, or opens a window.
+        const { x, y, z, w } = windowed.value, middle = new THREE.Vector3(x, y, z), isChosen = tints.array[4 * members.indexOf(body) + 3] > 1.5;
         const isCut = ({ face, point, distance }) => wall.value > 0 && distance < origin.distanceTo(subject) &&
-          face.normal.clone().transformDirection(this.matrices[body]).dot(subject.clone().sub(point)) < -wall.value;
+          face.normal.clone().transformDirection(this.matrices[body]).dot(subject.clone().sub(point)) < -wall.value ||
+          !(wall.value > 0) && !isChosen && distance < middle.clone().sub(origin).dot(raycaster.ray.direction) && raycaster.ray.distanceToPoint(middle) < w;
         for (const hit of met) if (!isCut(hit)) hits.push(Object.assign(hit, { body }));
       }
     return hits.sort((a, b) => a.distance - b.distance).map(hit => hit.body)[0] ?? -1;

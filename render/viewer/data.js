@@ -23,45 +23,55 @@ async function inflate(text) {
   return new Uint8Array(await new Response(stream.readable).arrayBuffer());
 }
 
-const CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in coder.h
+const CONTEXTS = 33, SLOTS = 32, FIELD_SLOTS = CONTEXTS * SLOTS + 4 * 33;  // as in facts.h
 /** `size` last values, and then the bits of their last differences. */
 const lastOf = size => new Int32Array(2 * size);
 
-/** The coder of coder.h, backwards: read(field, last, k) is the next integer, which is also written to last[k]. */
+/** The coder of facts.h, backwards: read(field, last, k) is the next integer, which is also written to last[k]. Signed integers, since others would be floats. */
 function reader(bytes, at, fields) {
-  const zeros = new Uint16Array(fields * FIELD_SLOTS).fill(32768);
-  const part = new Uint32Array([0xffffffff, 0]), RANGE = 0, CODE = 1;  // of [0, 1), times 2^32
+  const zeros = new Uint16Array(fields * FIELD_SLOTS).fill(32768), part = new Int32Array([-1, 0]), RANGE = 0, CODE = 1, SIGN = 1 << 31;  // of [0, 1), times 2^32
   for (let i = 0; i < 4; ++i) part[CODE] = part[CODE] << 8 | bytes[at++];
-  const shift = () => {
-    for (; part[RANGE] < 0x1000000; part[RANGE] <<= 8) part[CODE] = part[CODE] << 8 | bytes[at++];
-  };
-  const bit = slot => {
-    const zero = zeros[slot], bound = (part[RANGE] >>> 16) * zero, one = part[CODE] >= bound;
-    if (one) part[CODE] -= bound;
-    part[RANGE] = one ? part[RANGE] - bound : bound;
-    zeros[slot] += one ? -(zero >> 5) : (65536 - zero) >> 5;
-    if (part[RANGE] < 0x1000000) shift();
-    return one ? 1 : 0;
-  };
   return (field, last, k = 0) => {
     const slots = field * FIELD_SLOTS, size = last.length >> 1, context = slots + last[size + k] * SLOTS;
+    let range = part[RANGE], code = part[CODE], node = 0, left = -1, upper = 0, rest = 0, zigzag = 1;
     last[size + k] = 0;
-    if (!bit(context)) return last[k];
-    let node = 1, zigzag = 1;
-    while (node < 32) node = 2 * node + bit(context + node);
-    let left = node - 32;  // bits after the first one
-    last[size + k] = left + 1;
-    for (const upper = slots + CONTEXTS * SLOTS + 4 * left, last = Math.max(0, left - 2); left > last; --left) zigzag = 2 * zigzag + bit(upper + (zigzag & 3 | (zigzag < 2 ? 0 : 2)));
+    for (let slot = context; ;) {
+      const zero = zeros[slot], bound = Math.imul(range >>> 16, zero), one = (code ^ SIGN) >= (bound ^ SIGN) ? 1 : 0;
+      code = code - (one ? bound : 0) | 0;
+      range = one ? range - bound | 0 : bound;
+      zeros[slot] = one ? zero - (zero >> 5) : zero + (65536 - zero >> 5);
+      for (; range >>> 24 === 0; range <<= 8) code = code << 8 | bytes[at++];
+      if (left >= 0) {  // one of the upper bits
+        zigzag = 2 * zigzag + one;
+        --left;
+      } else if (node || one) {  // the number of bits
+        node = 2 * node + one;
+        if (node < 32) {
+          slot = context + node;
+          continue;
+        }
+        left = node - 32;  // bits after the first one
+        last[size + k] = left + 1;
+        upper = slots + CONTEXTS * SLOTS + 4 * left;
+        rest = Math.max(0, left - 2);
+      } else {
+        left = rest = -1;  // no difference
+      }
+      if (left <= rest) break;
+      slot = upper + (zigzag & 3 | (zigzag < 2 ? 0 : 2));
+    }
     while (left > 0) {
       const some = Math.min(left, 16);
-      part[RANGE] >>>= some;
-      const digits = part[CODE] / part[RANGE] | 0;
-      part[CODE] -= digits * part[RANGE];
+      range >>>= some;
+      const digits = (code >>> 0) / range | 0;
+      code = code - Math.imul(digits, range) | 0;
       zigzag = zigzag << some | digits;
       left -= some;
-      shift();
+      for (; range >>> 24 === 0; range <<= 8) code = code << 8 | bytes[at++];
     }
-    return last[k] += (zigzag >>> 1) ^ -(zigzag & 1);
+    part[RANGE] = range;
+    part[CODE] = code;
+    return left < 0 ? last[k] : last[k] += (zigzag >>> 1) ^ -(zigzag & 1);
   };
 }
 
@@ -86,7 +96,7 @@ async function unpack(text, post) {
 /** All that changes from frame to frame. */
 function contactsOf(data, read) {
   const { POSES, POSE_BODY, POSE, PAIRS, PAIR, STEADY, LAYOUT_SIZE, LAYOUT, SEPARATION, NORMAL, POINT, SAME, INTEGER, TEXT, SCALAR, PLACE, UNIT, FIELDS } = data.fields;
-  const { counts, quantum } = data, frames = data.frames.length, bodies = data.shapes.length, single = Array.from({ length: FIELDS }, () => lastOf(1)), lastPose = data.shapes.map(() => lastOf(7));
+  const { counts, quantum, unit, units, place: step, fine } = data, frames = data.frames.length, bodies = data.shapes.length, single = Array.from({ length: FIELDS }, () => lastOf(1)), lastPose = data.shapes.map(() => lastOf(7));
   const next = (field, predicted = 0) => ((single[field][0] = predicted), read(field, single[field]));
   const listOf = (size, kind = Int32Array) => new kind(size);
   data.poseOf = listOf(frames * bodies).fill(-1);   // frame * bodies + body -> pose
@@ -109,7 +119,7 @@ function contactsOf(data, read) {
     for (let left = next(POSES), body = 0; left > 0; --left, ++body, ++pose) {
       body = next(POSE_BODY, body);
       data.poseOf[frame * bodies + body] = pose;
-      for (let k = 0; k < 7; ++k) data.pose[7 * pose + k] = read(POSE + k, lastPose[body], k) * (k < 3 ? quantum : 1 / data.units);
+      for (let k = 0; k < 7; ++k) data.pose[7 * pose + k] = read(POSE + k, lastPose[body], k) * (k < 3 ? quantum : 1 / units);
     }
     for (let left = next(PAIRS, single[PAIRS][0]); left > 0; --left, ++record) {
       previous = contacts.pair[record] = read(PAIR, last[previous].follower);
@@ -130,7 +140,7 @@ function contactsOf(data, read) {
       let place = 0, deepest = 2147483647, at = 3;  // of the layout
       for (let m = 0; m < count; ++m, ++manifold) {
         const normal = known.normals[m] ??= m ? known.normals[m - 1].slice() : lastOf(3);
-        for (let k = 0; k < 3; ++k) manifolds.normal[3 * manifold + k] = read(NORMAL + k, normal, k) * data.unit;
+        for (let k = 0; k < 3; ++k) manifolds.normal[3 * manifold + k] = read(NORMAL + k, normal, k) * unit;
         manifolds.axis[manifold] = known.layout[at++];
         manifolds.type[manifold] = known.layout[at++];
         manifolds.triangle[manifold] = known.layout[at++];
@@ -138,8 +148,8 @@ function contactsOf(data, read) {
         for (let left = known.layout[at++]; left > 0; --left, ++place, ++point) {
           const now = known.points[place] ??= place ? known.points[place - 1].slice() : lastOf(6);
           for (let k = 0; k < 6; ++k) read(POINT + k, now, k);
-          for (let k = 0; k < 3; ++k) points.position[3 * point + k] = now[k] * data.place;
-          points.separation[point] = fineOf(now[3]) * data.fine;
+          for (let k = 0; k < 3; ++k) points.position[3 * point + k] = now[k] * step;
+          points.separation[point] = fineOf(now[3]) * fine;
           points.impulse[point] = impulseOf(now[4]);
           points.friction[point] = impulseOf(now[5]);
           points.id[point] = known.layout[at++];
@@ -150,7 +160,7 @@ function contactsOf(data, read) {
         manifolds.first[manifold + 1] = point;
       }
       if (place) known.gap[0] = deepest;
-      contacts.separation[record] = fineOf(read(SEPARATION, known.gap)) * data.fine;
+      contacts.separation[record] = fineOf(read(SEPARATION, known.gap)) * fine;
       contacts.manifolds[record + 1] = manifold;
       contacts.stages[record] = form;
       contacts.values[record] = value;
@@ -172,9 +182,12 @@ function contactsOf(data, read) {
   return { poseOf: data.poseOf, pose: data.pose, contacts, manifolds, points, values };
 }
 
+const failureOf = error => ({ error: 'its facts cannot be unpacked (' + error.message + ')' });
 /** Promises of what unpack() posts. It runs next to the page, which starts WebGL meanwhile, unless no worker is allowed. */
 function unpacked(text, script) {
-  const done = [], parts = [0, 1].map(i => new Promise(resolve => { done[i] = resolve; })), post = part => done.shift()(part), here = () => unpack(text, post);
+  const done = [], parts = [0, 1].map(i => new Promise((resolve, reject) => { done[i] = { resolve, reject }; }));
+  const post = part => part.error ? done.forEach(({ reject }) => reject(new Error(part.error))) : done[part.header ? 0 : 1].resolve(part);
+  const here = () => unpack(text, post).catch(error => post(failureOf(error)));
   try {
     const worker = new Worker(URL.createObjectURL(new Blob([script])));
     Object.assign(worker, { onmessage: event => post(event.data), onerror: here });

@@ -18,7 +18,7 @@ async function start() {
   renderer.compile(scene, new THREE.PerspectiveCamera());
   Object.assign(data, await others);
   layers.measure();
-  for (const finding of data.findings) [finding.index, ...finding.places] = [finding.frame, ...finding.frames || []].map(frame => data.frames.indexOf(frame));
+  nameFindings();
   // Layers of stages are only there with the stages.
   const stage = { reference_face: 'clip', side_planes: 'clip', clip_polygons: 'clip', dropped: 'clip', incident_face: 'clip', candidates: 'reduction', reduced: 'reduction' };
   data.layers = data.layers.filter(({ name }) => !stage[name] || data.forms.some(form => form[stage[name]]));
@@ -69,6 +69,7 @@ async function start() {
   function refresh() {
     const { frame, selection } = state, chosen = !selection ? [] : selection.pair === undefined ? [selection.body] : data.pairs[selection.pair].slice(0, 2);
     bodies.place(frame);
+    bodies.open(chosen, selection && selection.pair !== undefined ? recordOf(selection.pair, frame) : -1);
     bodies.draw(state.on.has('shapes'), new Set(chosen));
     labels = layers.draw(frame, state.on, selection, foundRecords);
     facts.show(selection, frame);
@@ -196,9 +197,9 @@ async function start() {
     try {
       const hits = text.trim() ? findRecords(text) : [];
       found = [...new Set(hits.map(([frame]) => frame))];
-      foundRecords = new Set(hits.map(([, record]) => record));
+      foundRecords = new Set(hits.map(([, record]) => record).filter(record => record >= 0));
       byId('found').textContent = text.trim() ? count(hits.length, 'record') + ' in ' + count(found.length, 'frame') : '';
-      for (const [frame, record] of hits.slice(0, 100)) jump(byId('hits'), frame, { pair: contacts.pair[record] }, 'frame ' + data.frames[frame] + ': ' + pairName(contacts.pair[record]), '');
+      for (const [frame, , pair] of hits.slice(0, 100)) jump(byId('hits'), frame, { pair }, 'frame ' + data.frames[frame] + ': ' + pairName(pair), '');
     } catch (error) {
       byId('found').textContent = error.message;
     }
@@ -211,7 +212,7 @@ async function start() {
     search(text);
     if (found.length) go(found.find(frame => frame > state.frame || isNew && frame === state.frame) ?? found[0]);
   });
-  byId('expression').title = 'Words: ' + Object.keys(data.quantities).join(', ') + '; previous.points, of the frame before';
+  byId('expression').title = 'Words: ' + Object.keys(data.quantities).join(', ') + '; previous.points, of the frame before; lint, lint.pairs_flicker';
   byId('findings').hidden = !data.findings.length;
   byId('count').textContent = 'lint: ' + count(data.findings.length, 'finding');
   for (const { what, said, is, remedy, index, a, b, ...finding } of data.findings) {
@@ -285,12 +286,18 @@ async function start() {
     event.preventDefault();
   });
 
+  const isFresh = !location.hash;
   read();
+  if (isFresh && data.worst && data.findings.length) byId('lint').querySelector('button').click();
   requestAnimationFrame(draw);
   window.contactscope = { data, state, orbit, layers, bodies, quantities: Object.keys(QUANTITIES), hash, onScreen, select, search, go, stagesOf, draw: () => { dirty = true; } };  // for tests and the console
   document.documentElement.dataset.ready = 'yes';
 }
 
-if (self.document) start().catch(error => { byId('title').textContent = 'This page needs WebGL and a browser of 2023 or later: ' + error.message; });
-else onmessage = event => unpack(event.data, postMessage);
+function fail(error) {
+  byId('title').textContent = 'This page needs WebGL and a browser of 2023 or later: ' + error.message;
+  document.documentElement.dataset.ready = 'no';
+}
+if (self.document) start().catch(fail);
+else onmessage = event => unpack(event.data, postMessage).catch(error => postMessage(failureOf(error)));
 })();

@@ -48,12 +48,13 @@ class Marks {
 const shader = (vertexShader, fragmentShader, more) => new THREE.ShaderMaterial({ vertexShader, fragmentShader, transparent: true, depthWrite: false,
   uniforms: { pixels: PIXELS, toward: { value: 0 }, fade: { value: 1 }, halo: { value: new THREE.Vector3() } }, ...more });
 
-/** Segments; the head of an arrow is one that gets thinner. */
+/** Segments; the head of an arrow is one that gets thinner. `opening`: of a shader function that leaves parts of them out, and its uniform. */
 class Lines extends Marks {
-  constructor(order) {
+  constructor(order, opening = 'bool opens(vec3 seen, float alpha) { return false; }', uniform = null) {
     super(new THREE.Mesh(new THREE.BufferGeometry(), shader(`
-      uniform vec2 pixels; attribute vec3 from, to, wide; attribute vec4 tint; varying vec4 vTint; varying vec2 vDash;
+      uniform vec2 pixels; attribute vec3 from, to, wide; attribute vec4 tint; varying vec4 vTint; varying vec2 vDash; varying vec3 vSeen;
       void main() {
+        vSeen = (viewMatrix * vec4(position.x < .5 ? from : to, 1.)).xyz;
         // A little nearer than the surfaces on which they are.
         vec4 a = projectionMatrix * vec4((viewMatrix * vec4(from, 1.)).xyz * .997, 1.), b = projectionMatrix * vec4((viewMatrix * vec4(to, 1.)).xyz * .997, 1.);
         float near = 1e-4;
@@ -65,8 +66,9 @@ class Lines extends Marks {
         gl_Position = position.x < .5 ? a : b;
         gl_Position.xy += vec2(-way.y, way.x) * position.y * mix(wide.x, wide.y, position.x) / pixels * gl_Position.w;
         vTint = tint; vDash = vec2(position.x * far, wide.z);
-      }`, 'varying vec4 vTint; varying vec2 vDash; void main() { if (vDash.y > 0. && mod(vDash.x, 2. * vDash.y) > vDash.y) discard; gl_FragColor = vTint; }',
+      }`, opening + 'varying vec4 vTint; varying vec2 vDash; varying vec3 vSeen; void main() { if (vDash.y > 0. && mod(vDash.x, 2. * vDash.y) > vDash.y || opens(vSeen, vTint.a)) discard; gl_FragColor = vTint; }',
     { depthTest: false, side: THREE.DoubleSide })), order, { from: 3, to: 3, tint: 4, wide: 3 }, true);
+    if (uniform) this.object.material.uniforms.window = uniform;
   }
   add(from, to, rgb, width, alpha = 1, dash = 0) { this.push({ from, to, tint: [...rgb, alpha], wide: [width, width, dash] }); }
   loop(corners, rgb, width, dash) { corners.forEach((corner, i) => this.add(corner, corners[(i + 1) % corners.length], rgb, width, 1, dash)); }

@@ -9,8 +9,9 @@ const textOf = (record, column) => data.texts[column[manifoldsOf(record)[0]]] ??
 /** A list with one entry for each point of a record. */
 const ofPoints = (record, value) => manifoldsOf(record).flatMap(m => Array.from(
   { length: data.manifolds.first[m + 1] - data.manifolds.first[m] }, (_, i) => value(data.manifolds.first[m] + i, m)));
+const beforeOf = (record, frame, pair) => record < 0 ? recordOf(pair, frame - 1) : data.contacts.before[record];
 /** From the frame before; unknown in the first frame. */
-const changeOf = compare => (record, frame) => frame ? compare(record, data.contacts.before[record]) : NaN;
+const changeOf = compare => (record, frame, pair) => frame ? compare(record, beforeOf(record, frame, pair)) : NaN;
 const differenceOf = (name, limit = value => value) => changeOf((now, then) => limit(QUANTITIES[name](now) - QUANTITIES[name](then)));
 /** Number of ids of a record that another one does not have. */
 function idsOnlyIn(record, other) {
@@ -44,8 +45,12 @@ const QUANTITIES = {
   label: (record, frame, pair) => namesOf(pair)[2],
   frame: (record, frame) => data.frames[frame],
   time: (record, frame) => data.times[frame],
-  age: record => data.contacts.age[record],
-  away: record => data.contacts.away[record],
+  age: record => data.contacts.age[record] ?? NaN,
+  away: (record, frame, pair) => {
+    if (record >= 0) return data.contacts.away[record];
+    for (let then = frame - 1; then >= 0; --then) if (manifoldsOf(recordOf(pair, then)).length) return frame - then;
+    return NaN;
+  },
   normal_turn: changeOf((now, then) => normalsOf(now).length && normalsOf(then).length
     ? degrees(Math.max(...normalsOf(now).map(a => Math.min(...normalsOf(then).map(b => chord(a, b))))) / 2) : NaN),
   overlap_change: differenceOf('overlap'),
@@ -59,7 +64,31 @@ const QUANTITIES = {
 };
 /** A quantity of the pair in the frame before. Its age is not known there. */
 const previousOf = name => (record, frame, pair) =>
-  frame && name !== 'age' && name !== 'away' ? QUANTITIES[name](data.contacts.before[record], frame - 1, pair) : NaN;
+  frame && name !== 'age' && name !== 'away' ? QUANTITIES[name](beforeOf(record, frame, pair), frame - 1, pair) : NaN;
+
+/** Gives each finding the indices of its frame and of all frames of its marks, and each frame the causes at bodies and pairs. */
+function nameFindings() {
+  const indices = new Map(data.frames.map((frame, index) => [frame, index])), pairs = new Map(data.pairs.map(([a, b], pair) => [Math.min(a, b) + ' ' + Math.max(a, b), pair]));
+  data.named = data.frames.map(() => new Map());
+  for (const finding of data.findings) {
+    Object.assign(finding, { index: indices.get(finding.frame) ?? -1, places: [] });
+    for (let i = 0; i < (finding.marks || []).length; i += 3) {
+      const [frame, ...both] = finding.marks.slice(i, i + 3), index = indices.get(frame), key = both.sort((a, b) => a - b).join(' ');
+      if (index === undefined) continue;
+      finding.places.push(index);
+      // A pair that the trace never has is known from here on.
+      if (both[0] >= 0 && !pairs.has(key)) pairs.set(key, data.pairs.push([...both, '', '']) - 1);
+      const named = data.named[index];
+      if (!named.has(key)) named.set(key, { pair: pairs.get(key) ?? -1, causes: [] });
+      named.get(key).causes.push(finding.cause);
+    }
+  }
+}
+/** The number of findings about a pair or its bodies in a frame, of this cause or any. */
+const lintOf = cause => (record, frame, pair) => {
+  const [a, b] = data.pairs[pair].slice(0, 2).sort((a, b) => a - b);
+  return [a + ' ' + b, '-1 ' + a, '-1 ' + b].flatMap(key => data.named[frame].get(key)?.causes || []).filter(one => !cause || one === cause).length;
+};
 
 const isTrue = value => typeof value === 'string' ? value !== '' : !Number.isNaN(value) && value !== 0;
 const known = (a, b) => typeof a === typeof b && !Number.isNaN(a) && !Number.isNaN(b);
@@ -111,6 +140,11 @@ function parseExpression(text) {
       if (Number.isNaN(number)) throw new Error("'" + token + "' is not a number");
       return () => number;
     }
+    if (token.split('.')[0] === 'lint') {
+      const cause = token.slice(5), causes = [...new Set(data.findings.map(finding => finding.cause))];
+      if (cause && !causes.includes(cause)) throw new Error("no finding has the cause '" + cause + "'; there is " + causes.join(', '));
+      return lintOf(cause);
+    }
     const name = token.replace(/^previous\./, ''), isPrevious = name !== token;
     if (!Object.hasOwn(data.quantities, name)) throw new Error("'" + token + "' is not a quantity; known: " + Object.keys(data.quantities).join(', '));
     if (isPrevious && data.quantities[name]) throw new Error("'" + name + "' is a change from the frame before; leave out 'previous.'");
@@ -121,8 +155,12 @@ function parseExpression(text) {
   return whole;
 }
 
-/** All [frame, record] for which the expression is true. */
+/** All [frame, record, pair] for which the expression is true. A pair that has just left the trace, or that a finding names, has the record -1. */
 function findRecords(text) {
-  const expression = parseExpression(text);
-  return data.frames.flatMap((_, frame) => recordsOf(frame).filter(record => isTrue(expression(record, frame, data.contacts.pair[record]))).map(record => [frame, record]));
+  const expression = parseExpression(text), pairsOf = frame => frame < 0 ? [] : recordsOf(frame).map(record => data.contacts.pair[record]);
+  return data.frames.flatMap((_, frame) => {
+    const here = new Set(pairsOf(frame)), gone = new Set([...pairsOf(frame - 1), ...[...data.named[frame].values()].map(({ pair }) => pair)].filter(pair => pair >= 0 && !here.has(pair)));
+    return [...recordsOf(frame).map(record => [frame, record, data.contacts.pair[record]]), ...[...gone].map(pair => [frame, -1, pair])]
+      .filter(([frame, record, pair]) => isTrue(expression(record, frame, pair)));
+  });
 }

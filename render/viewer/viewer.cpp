@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 
 #include "core/at.h"
 #include "draw/scene/palette.h"
@@ -65,7 +64,8 @@ ordered_json camera_json(const draw::Camera& camera) {
           {"height", camera.viewport().height / camera.pixels_per_metre(camera.eye() + forward)}};
 }
 
-ordered_json finding_json(const lint::Finding& finding) {
+/// `bodies`: their numbers. Marks are triples of a frame, a body and another one or -1.
+ordered_json finding_json(const lint::Finding& finding, const std::map<std::string, int>& bodies) {
   ordered_json json{{"cause", finding.cause},
                     {"what", finding.what},
                     {"remedy", finding.remedy},
@@ -77,9 +77,10 @@ ordered_json finding_json(const lint::Finding& finding) {
                {"b", finding.b},
                {"said", finding.said},
                {"is", finding.is}});
-  std::set<int> frames;
-  for (const lint::Mark& mark : finding.marks) frames.insert(mark.frame);
-  json["frames"] = frames;
+  for (const lint::Mark& mark : finding.marks)
+    for (const int number :
+         {mark.frame, bodies.at(mark.a), mark.b.empty() ? -1 : bodies.at(mark.b)})
+      json["marks"].push_back(number);
   return json;
 }
 
@@ -111,7 +112,8 @@ Viewer::Viewer(const draw::Staging& staging, const PictureOrigin& origin, bool i
     : staging_(staging),
       origin_(origin),
       facts_(*staging.header),
-      linter_(*staging.header, {.ids_are_made = ids_are_made}) {}
+      linter_(*staging.header,
+              {.ids_are_made = ids_are_made, .is_marked = [](int) { return true; }}) {}
 
 void Viewer::add(const trace::Frame& frame) {
   titles_.push_back(draw::fill_title(staging_, frame));
@@ -130,6 +132,7 @@ std::string Viewer::html() {
                      {draw::toned(draw::kWhite, 1).r, draw::toned(draw::kWhite, 0.3).r,
                       draw::toned(draw::kWhite, 0).r}},
                     {"tone_borders", draw::kToneBorders},
+                    {"worst", staging_.view.focus == Focus::Worst},
                     {"quantities", ordered_json::object()}};
   for (const find::Quantity& known : find::pair_quantities())
     page["quantities"][known.name] = known.is_change;
@@ -145,8 +148,11 @@ std::string Viewer::html() {
          {"on", layer == Layer::Shapes || layer == Layer::Contacts || staging_.view.shows(layer)}});
   }
   page["findings"] = ordered_json::array();
+  std::map<std::string, int> bodies;
+  for (const trace::Shape& shape : staging_.header->shapes)
+    bodies.emplace(shape.name, count_of(bodies));
   for (const lint::Finding& finding : linter_.findings())
-    if (lint::is_reported(finding)) page["findings"].push_back(finding_json(finding));
+    if (lint::is_reported(finding)) page["findings"].push_back(finding_json(finding, bodies));
 
   const std::map<std::string_view, std::string> values{
       {"GENERATOR", vector::escaped("contactscope " + origin_.version)},

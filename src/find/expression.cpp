@@ -313,8 +313,9 @@ class Expression::Parser {
         fail("'" + named.quantity + "' is a change from the frame before; leave out '" +
              named.side + ".'");
       named.unit = known->unit;
-    } else if (named.side == "lint" && !named.quantity.empty()) {
-      require_cause(named.quantity);
+    } else {
+      named.unit = Unit::Count;
+      if (named.side == "lint" && !named.quantity.empty()) require_cause(named.quantity);
     }
     note({named.side, named.quantity, named.unit});
     next();

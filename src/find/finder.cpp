@@ -105,7 +105,7 @@ template <auto kChange> Value of_poses(const M& m) {
 
 const Vocabulary& vocabulary() {
   static const Vocabulary known{
-      {pair_quantities().begin(), pair_quantities().end()}, {"previous"}, {}};
+      {pair_quantities().begin(), pair_quantities().end()}, {"previous"}, {"lint"}, lint::causes()};
   return known;
 }
 
@@ -113,9 +113,28 @@ Finder::Finder(Expression expression) : expression_(std::move(expression)) {
   for (const Expression::Fact& fact : expression_.facts()) {
     wants_poses_ = wants_poses_ || fact.quantity == "motion" || fact.quantity == "turn";
     wants_ids_ = wants_ids_ || fact.quantity.starts_with("ids");
+    wants_lint_ = wants_lint_ || fact.side == "lint";
     wants_manifolds_ = wants_manifolds_ || fact.quantity == "axis" || fact.quantity == "type" ||
                        (fact.quantity.starts_with("normal_") && fact.quantity != "normal_turn");
   }
+}
+
+void Finder::take(const std::vector<lint::Finding>& findings) {
+  for (const lint::Finding& finding : findings)
+    for (const lint::Mark& mark : finding.marks)
+      if (lint::is_reported(finding) && !mark.a.empty())
+        named_[mark.frame][std::minmax(mark.a, mark.b)].push_back(finding.cause);
+}
+
+double Finder::findings_about(const trace::Pair& pair, const std::string& cause) const {
+  const auto frame = named_.find(now_->frame.frame);
+  if (frame == named_.end()) return 0;
+  double count = 0;
+  for (const auto& [a, b] : {std::pair(pair.a, pair.b), {"", pair.a}, {"", pair.b}})
+    if (const auto found = frame->second.find(std::minmax(a, b)); found != frame->second.end())
+      count += cause.empty() ? double(found->second.size())
+                             : double(std::ranges::count(found->second, cause));
+  return count;
 }
 
 std::vector<Hit> Finder::next(trace::Frame frame) {
@@ -143,10 +162,23 @@ std::vector<Hit> Finder::next(trace::Frame frame) {
       try_pair(pair, found == before_->pairs.end() ? &none : found->second, contact, hits);
     }
   }
-  if (!before_) return hits;
-  for (const trace::Pair& pair : before_->frame.pairs)
-    if (const std::string name = name_of(pair); !now_->pairs.contains(name))
-      try_pair(absent(pair), &pair, contacts_[name], hits);
+  const auto try_absent = [&](const trace::Pair& pair, const trace::Pair* before) {
+    const std::string name = name_of(pair);
+    if (!now_->pairs.contains(name)) try_pair(absent(pair), before, contacts_[name], hits);
+  };
+  for (std::size_t i = 0; before_ && i < before_->frame.pairs.size(); ++i)
+    try_absent(before_->frame.pairs[i], &before_->frame.pairs[i]);
+  if (!named_.contains(now_->frame.frame)) return hits;
+  Named rest = named_[now_->frame.frame];
+  for (const Moment* moment : {&*now_, before_ ? &*before_ : nullptr})
+    for (std::size_t i = 0; moment != nullptr && i < moment->frame.pairs.size(); ++i)
+      rest.erase(std::minmax(moment->frame.pairs[i].a, moment->frame.pairs[i].b));
+  for (const auto& [names, causes] : rest) {
+    trace::Pair pair;
+    pair.a = names.first, pair.b = names.second;
+    const trace::Pair none = absent(pair);
+    if (!pair.a.empty()) try_absent(pair, before_ ? &none : nullptr);
+  }
   return hits;
 }
 
@@ -165,6 +197,7 @@ void Finder::try_pair(const trace::Pair& now, const trace::Pair* before, const C
   }
   const auto look_up = [&](const std::string& side, const std::string& quantity) {
     if (side.empty()) return value_of(moment, quantity);
+    if (side == "lint") return Value(findings_about(now, quantity));
     if (before == nullptr) return Value(kUnknown);
     PairMoment then{before, nullptr, &before_->frame};
     // The manifold whose normal is nearest.

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "find/expression.h"
+#include "lint/linter.h"
 #include "trace/read_trace.h"
 
 namespace contactscope::find {
@@ -31,8 +33,8 @@ const std::vector<PairQuantity>& pair_quantities();
 inline constexpr std::size_t kOfPairAlone = 12;
 Value value_of(const PairMoment& moment, const std::string& quantity);
 
-/// The names of an expression about a pair in a frame: those of pair_quantities(), and the side
-/// "previous", the pair in the frame before.
+/// The names of an expression about a pair in a frame: those of pair_quantities(), the side
+/// "previous", the pair in the frame before, and "lint", the number of findings about it.
 const Vocabulary& vocabulary();
 
 /// A pair in a frame for which the expression holds, for one of its manifolds.
@@ -55,6 +57,10 @@ class Finder {
   trace::Parts parts() const { return {.poses = wants_poses_ || wants_ids_, .stages = false}; }
   /// Whether points without an id of their engine should have one from trace::name_points().
   bool wants_ids() const { return wants_ids_; }
+  bool wants_lint() const { return wants_lint_; }
+  /// Before the first frame, if it wants them: all findings of the trace, with every mark. A pair that
+  /// one names is tried in that frame, also if it is not there.
+  void take(const std::vector<lint::Finding>& findings);
   /// The hits of the next frame, in the order of its pairs.
   std::vector<Hit> next(trace::Frame frame);
 
@@ -71,14 +77,19 @@ class Finder {
     int last = -1;
     int away = -1;  // frames without contact before that; -1: it had not touched before
   };
+  /// Number of findings about a pair in the frame, of this cause or any.
+  double findings_about(const trace::Pair& pair, const std::string& cause) const;
   void try_pair(const trace::Pair& now, const trace::Pair* before, const Contact& contact,
                 std::vector<Hit>& hits) const;
 
   Expression expression_;
-  bool wants_poses_ = false, wants_ids_ = false, wants_manifolds_ = false;
+  bool wants_poses_ = false, wants_ids_ = false, wants_manifolds_ = false, wants_lint_ = false;
   std::optional<Moment> now_, before_;
   int place_ = -1;  // of the frame in the trace
   std::unordered_map<std::string, Contact> contacts_;
+  /// Causes by frame and by shapes in order; the first one is empty if a finding names one shape.
+  using Named = std::map<std::pair<std::string, std::string>, std::vector<std::string>>;
+  std::unordered_map<int, Named> named_;
 };
 
 }  // namespace contactscope::find

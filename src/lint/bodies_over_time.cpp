@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/spell.h"
-#include "lint/tally.h"
+#include "lint/watch.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {
@@ -50,11 +50,9 @@ class BodiesWatch final : public Watch {
         "the frames before and after have it in the same place: check which step's pose is "
         "written, and interpolated poses",
         1, 0, findings);
-    std::vector<Finding> flights;
-    for (const auto& [pair, one] : flights_.pairs) flights.push_back(one.first);
+    auto flights = mapped(flights_.pairs, [](const auto& pair) { return pair.second.first; });
     std::ranges::stable_sort(flights, {}, &Finding::frame);
-    std::vector<std::string> names;
-    for (const Finding& one : flights) names.push_back("'" + one.a + "'");
+    auto names = mapped(flights, [](const Finding& one) { return "'" + one.a + "'"; });
     if (names.size() > kNamed)
       names[kNamed] = counted(names.size() - kNamed, "other"), names.resize(kNamed + 1);
     flights_.report(

@@ -3,9 +3,8 @@
 #include <set>
 #include <string_view>
 
-#include "lint/linter.h"
 #include "lint/reading.h"
-#include "lint/tally.h"
+#include "lint/watch.h"
 #include "lint/wrong_pairs.h"
 
 namespace contactscope::lint {
@@ -23,13 +22,16 @@ constexpr std::string_view kOthers =
     "impulses_of_a_substep impulses_halved impulses_doubled impulses_unlike_weights "
     "velocities_negated velocities_of_a_step velocities_in_centimetres "
     "velocities_in_millimetres velocities_in_frame_of_body spins_negated "
-    "spins_in_degrees spins_of_a_step spins_in_frame_of_body shape large_margin torn";
+    "spins_in_degrees spins_of_a_step spins_in_frame_of_body shape large_margin "
+    "rounded_edges torn";
 
 /// Checks the record itself, independent of shapes and poses.
 class RecordsWatch final : public Watch {
  public:
   void see(const Solids&, const Moments& frames) override {
-    see_time(frames);
+    time_.of += frames.before != nullptr;
+    if (frames.before != nullptr && !(frames.now->time > frames.before->time))
+      time_.wrong(frames, "", "", [] { return std::pair<std::string, std::string>(); });
     std::set<std::array<std::string, 3>> record;
     for (const trace::Pair& pair : frames.now->pairs) {
       ++twice_.of;
@@ -63,14 +65,6 @@ class RecordsWatch final : public Watch {
   }
 
  private:
-  void see_time(const Moments& frames) {
-    if (frames.before == nullptr) return;
-    ++time_.of;
-    const double before = frames.before->time, now = frames.now->time;
-    if (now > before) return;
-    time_.wrong(frames, "", "", [] { return std::pair<std::string, std::string>(); });
-  }
-
   Tally twice_{"pairs_twice"}, empty_{"touching_without_points"}, time_{"times_do_not_rise"};
 };
 

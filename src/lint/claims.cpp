@@ -154,6 +154,13 @@ const Solid* Solids::find(const std::string& name, Form form) const {
   return found == solids_.end() ? nullptr : &found->second;
 }
 
+Reading Solids::collided(const std::string& a, const std::string& b) const {
+  const auto is_box = [&](auto& name) { return takes(shapes_.at(name), Form::BoxesHalf); };
+  Reading reading;
+  if (are_of_bullet && !(is_box(a) && is_box(b))) reading.form = Form::EdgesRounded;
+  return reading;
+}
+
 const std::string& Solids::body_of(const std::string& name) const {
   const auto found = shapes_.find(name);
   return found == shapes_.end() || found->second.body.empty() ? name : found->second.body;

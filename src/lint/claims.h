@@ -59,6 +59,10 @@ class Solids {
   /// Allowed error: at least tolerance_of().
   double allowed_for(const Placed& a, const Placed& b) const;
 
+  /// The shapes that collided: Bullet rounds edges, but not of two boxes.
+  Reading collided(const std::string& a, const std::string& b) const;
+
+  bool are_of_bullet = false;
   std::map<std::string, std::string> refused;  // reasons by name
   double tolerance = 0;                        // metres; 0: not given
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/at.h"
-#include "lint/tally.h"
+#include "lint/watch.h"
 #include "lint/wrong_pairs.h"
 
 namespace contactscope::lint {
@@ -53,18 +53,9 @@ bool have_their_size(const Reading& reading, const Verdict& verdict) {
 }
 
 /// Whether a mistake may be made in a single frame: not one of units, axes, shapes or moments.
-bool may_be_rare(const Reading& reading) {
-  Reading rare;
-  rare.normals_flipped = reading.normals_flipped;
-  rare.separations_negated = reading.separations_negated;
-  rare.sides_swapped = reading.sides_swapped;
-  return rare == reading;
-}
-
-/// Whether a form changes one of the two shapes.
-bool is_about(Form form, const Solids& solids, const trace::Pair& pair) {
-  return form == Form::AsReported || solids.find(pair.a, form) != solids.find(pair.a) ||
-         solids.find(pair.b, form) != solids.find(pair.b);
+bool may_be_rare(Reading reading) {
+  reading.normals_flipped = reading.separations_negated = reading.sides_swapped = false;
+  return reading == Reading();
 }
 
 class ClaimsWatch final : public Watch {
@@ -73,13 +64,16 @@ class ClaimsWatch final : public Watch {
       : after_step_(header.poses_at == "after_step"), options_(options) {}
 
   void see(const Solids& solids, const Moments& frames) override {
-    for (const trace::Pair& pair : frames.now->pairs) {
-      if (pair.manifolds.empty()) continue;
-      see_pair(solids, frames, pair);
-    }
+    for (const trace::Pair& pair : frames.now->pairs)
+      if (!pair.manifolds.empty()) see_pair(solids, frames, pair);
   }
 
   void report(std::vector<Finding>& findings) override {
+    Finding hint{"rounded_edges", "contacts fit boxes and cylinders with rounded edges",
+                 "Bullet's GJK has the margin inside: a tenth of the half extent, up to 40 mm",
+                 rounded_, judged_};
+    hint.is_hint = true;
+    if (rounded_ > 0) findings.push_back(hint);
     report_small_depths(findings);
     while (report_best_explanation(findings)) continue;
     // If a cause explains nearly all pairs, the others mostly share it and have another error too.
@@ -88,8 +82,13 @@ class ClaimsWatch final : public Watch {
     if (!report_margin(findings))
       while (report_size(findings)) continue;
     std::vector<Finding> unexplained;
-    for (int kind = 0; kind < kWrongs; ++kind)
-      report_unexplained(static_cast<Wrong>(kind), unexplained);
+    for (int kind = 0; kind < kWrongs; ++kind) {
+      const auto& [cause, what, remedy] = kUnexplained[kind];
+      unexplained.push_back(gathered(cause, what, remedy, [&](const WrongPair& one) {
+        return int(one.problem.kind) == kind;
+      }));
+    }
+    std::erase_if(unexplained, [](const Finding& finding) { return finding.count == 0; });
     std::ranges::stable_sort(unexplained, std::greater(), &Finding::count);
     std::ranges::move(unexplained, std::back_inserter(findings));
   }
@@ -103,6 +102,12 @@ class ClaimsWatch final : public Watch {
       Reading before;
       before.moment = Moment::FrameBefore;
       if (auto then = judge(solids, frames, pair, before); then) verdict = std::move(then);
+    }
+    if (const Reading collided = solids.collided(pair.a, pair.b);
+        verdict->wrong > 0 && collided.moves_shapes()) {
+      const std::optional<Verdict> round = judge(solids, frames, pair, collided);
+      rounded_ += round && round->wrong == 0;
+      if (round && (round->wrong == 0 || round->farthest < verdict->farthest)) verdict = round;
     }
     for (const std::string& name : {pair.a, pair.b, std::string()}) ++judged_of_[name];
     for (const std::string& name : {pair.a, pair.b}) {
@@ -133,7 +138,10 @@ class ClaimsWatch final : public Watch {
       if (!is_tried) continue;
       if (options_.shapes_are_given && all[e].reading.moves_shapes()) continue;
       if (after_step_ && all[e].reading.moment == Moment::FrameBefore) continue;
-      if (!is_about(all[e].reading.form, solids, pair)) continue;
+      const auto is_same = [&, form = all[e].reading.form](const std::string& shape) {
+        return form != Form::AsReported && solids.find(shape, form) == solids.find(shape);
+      };
+      if (is_same(pair.a) && is_same(pair.b)) continue;
       // Points scaled down move towards the origin, which may be where the shapes touch.
       const bool are_far = verdict->farthest > kFar * verdict->tolerance;
       if (all[e].reading.point_scale < 1 && !are_far) continue;
@@ -153,7 +161,7 @@ class ClaimsWatch final : public Watch {
       if (wrong.explained_by.none()) return;
     }
     has_explained_ |= wrong.explained_by;
-    wrong_.add(std::move(wrong), options_.marks(frames.now->frame));
+    wrong_.add(std::move(wrong), options_.is_marked && options_.is_marked(frames.now->frame));
   }
 
   // Overlaps of a millimetre are within the tolerance whatever is reported. But if all are reported
@@ -196,6 +204,7 @@ class ClaimsWatch final : public Watch {
       if (!wrong.beyond) continue;
       finding.count += wrong.times;
       add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
+      for (const Mark& other : wrong.others) add_mark(marks, other, &options_);
       if (wrong.grossly_beyond) finding.gross = std::max(finding.gross, wrong.size);
     }
     is_enough_ = is_enough_ || first == nullptr || all_gathered_ >= kOften * judged_;
@@ -206,6 +215,7 @@ class ClaimsWatch final : public Watch {
     finding.said = first->said, finding.is = first->is;
     finding.size = first->size;
     finding.marks = marks.kept();
+    std::ranges::stable_sort(finding.marks, {}, &Mark::frame);
     if (finding.gross == 0 && finding.count < kOften * judged_) finding.below = kFewAndSmall;
     return finding;
   }
@@ -411,13 +421,6 @@ class ClaimsWatch final : public Watch {
     return is_gross;
   }
 
-  void report_unexplained(Wrong kind, std::vector<Finding>& findings) {
-    const Words& words = kUnexplained[static_cast<int>(kind)];
-    Finding finding = gathered(words.cause, words.what, words.remedy,
-                               [&](const WrongPair& wrong) { return wrong.problem.kind == kind; });
-    if (finding.count > 0) findings.push_back(std::move(finding));
-  }
-
   static constexpr double kFactors[] = {-1, 0.5, 2};
   static constexpr int kEnough = 8;
   bool after_step_;
@@ -431,6 +434,7 @@ class ClaimsWatch final : public Watch {
   std::map<Names, int> judged_in_;  // by pair
   std::set<std::string> moved_;     // shapes that did not stand still in some frame
   WrongPairs wrong_;
+  int rounded_ = 0;  // pairs that fit rounded edges alone
   std::bitset<kMaxExplanations> has_explained_;
   int all_gathered_ = 0;    // by the last gathered(), within the tolerance or not
   bool is_enough_ = false;  // whether these are so many or so wrong that they have a cause

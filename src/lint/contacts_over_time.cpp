@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "core/at.h"
-#include "lint/tally.h"
+#include "lint/watch.h"
 
 namespace contactscope::lint {
 namespace {
@@ -125,8 +125,9 @@ class ContactsWatch final : public Watch {
 
   static std::optional<Placement> placed(const Solids& solids, const Moments& frames,
                                          const std::string& a, const std::string& b) {
-    const std::optional<Placed> at = place(solids, frames.of_contacts(), a, {});
-    const std::optional<Placed> bt = place(solids, frames.of_contacts(), b, {});
+    const Reading collided = solids.collided(a, b);
+    const std::optional<Placed> at = place(solids, frames.of_contacts(), a, collided);
+    const std::optional<Placed> bt = place(solids, frames.of_contacts(), b, collided);
     if (!at || !bt) return std::nullopt;
     const double size = std::min({at->size(), bt->size(), 1e6});
     const double reach = std::max(at->pose.position.norm(), bt->pose.position.norm());

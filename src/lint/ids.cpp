@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "lint/tally.h"
+#include "lint/watch.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "lint/tally.h"
+#include "lint/watch.h"
 #include "query/closest_points.h"
 
 namespace contactscope::lint {

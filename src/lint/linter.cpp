@@ -94,6 +94,7 @@ struct Linter::State {
   State(const trace::Header& header, const LintOptions& given)
       : options(given), after_step(header.poses_at == "after_step") {
     solids.tolerance = options.tolerance;
+    solids.are_of_bullet = header.engine == "Bullet";
     add(header.shapes);
     // These come first: what they explain is no wrong claim.
     if (!options.shapes_are_given) watches.push_back(watch_bodies_over_time());

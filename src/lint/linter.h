@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,7 +34,7 @@ struct Finding {
   std::string a{}, b{};       // shapes; b may be empty
   std::string said{}, is{};   // "separation -0.02", "the surfaces are 0.04 m apart"
   std::vector<Mark> marks{};  // in the order of frames; of many, an evenly spaced subset, unless
-                              // LintOptions::marked names the frames
+                              // LintOptions::is_marked chooses the frames
   /// The threshold that it does not reach: "2 % of them, or 15 tolerances". Empty: it is reported.
   std::string below{};
   bool is_hint = false;    // no fault, but worth knowing
@@ -67,12 +67,10 @@ struct LintOptions {
   /// Allowed error of separations and positions, metres; 0: a share of the smaller shape.
   double tolerance = 0;
   std::vector<Ignored> ignored{};
-  /// Frames, in order, in which every occurrence is marked, and none in the others. Empty: a sample
-  /// of all frames.
-  std::vector<int> marked{};
+  /// Whether every occurrence in a frame is marked, or none. Empty: a sample of all frames is.
+  std::function<bool(int frame)> is_marked{};
 
   bool ignores(const std::string& cause, const std::string& a, const std::string& b) const;
-  bool marks(int frame) const { return std::ranges::binary_search(marked, frame); }
 };
 
 /// Checks a trace frame by frame. Keeps sums and some examples of earlier frames, so memory does

@@ -5,13 +5,14 @@
 #include <set>
 
 #include "core/at.h"
-#include "lint/tally.h"
+#include "lint/watch.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {
 namespace {
 
-constexpr double kGravity = 9.81;       // metres per second squared
+constexpr double kGravity = 9.81;  // metres per second squared
+constexpr std::array kUnits = {std::pair("centimetres", 100.0), std::pair("millimetres", 1000.0)};
 constexpr int kEnough = 5;              // minimum number of samples
 constexpr double kAlike = 0.1;          // samples differ by at most this share
 constexpr double kSomeFriction = 1e-5;  // of the normal impulse; less is rounding
@@ -33,6 +34,12 @@ struct Samples {
   Finding finding(const std::string& cause, const std::string& what, const std::string& remedy,
                   const std::string& said, const std::string& is) const {
     return {cause, what, remedy, count, count, line, frame, name, "", said, is};
+  }
+  Finding of_unit(const std::string& unit, double factor, const std::string& said,
+                  const std::string& in_metres) const {
+    return finding("world_in_" + unit, "lengths are in " + unit,
+                   "divide all lengths by " + metres(factor) + ": a trace is in metres", said,
+                   "in metres it would be " + in_metres);
   }
   /// The median, if most samples are close to it.
   std::optional<double> common() const {
@@ -263,14 +270,11 @@ class MotionWatch final : public Watch {
     for (const Samples& samples : falls_) {
       const std::optional<double> fall = samples.common();
       if (!fall) continue;
-      for (const auto& [unit, factor] :
-           {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
+      for (const auto& [unit, factor] : kUnits) {
         if (!is_near(std::abs(*fall), factor * kGravity)) continue;
-        findings.push_back(
-            samples.finding(std::string("world_in_") + unit, std::string("lengths are in ") + unit,
-                            "divide all lengths by " + metres(factor) + ": a trace is in metres",
-                            "it falls with " + metres(std::abs(*fall)) + " per second squared",
-                            "in metres it would be 9.81"));
+        findings.push_back(samples.of_unit(
+            unit, factor, "it falls with " + metres(std::abs(*fall)) + " per second squared",
+            "9.81"));
       }
     }
   }
@@ -279,17 +283,15 @@ class MotionWatch final : public Watch {
   void report_densities(std::vector<Finding>& findings) const {
     if (densities_.count == 0) return;
     constexpr double kLightest = 5, kHeaviest = 30'000;  // kg / m^3: foam, platinum
-    for (const auto& [unit, factor] : {std::pair("centimetres", 100.0), {"millimetres", 1000.0}}) {
+    for (const auto& [unit, factor] : kUnits) {
       const double cube = factor * factor * factor;
       if (cube * densities_.least < kLightest || cube * densities_.most > kHeaviest) continue;
       for (const Finding& finding : findings)
         if (finding.cause == std::string("world_in_") + unit) return;
       const double density = densities_.values.kept().front();
-      findings.push_back(
-          densities_.finding(std::string("world_in_") + unit, std::string("lengths are in ") + unit,
-                             "divide all lengths by " + metres(factor) + ": a trace is in metres",
-                             "its box and mass give " + metres(density) + " kg per cubic metre",
-                             "in metres it would be " + metres(cube * density)));
+      findings.push_back(densities_.of_unit(
+          unit, factor, "its box and mass give " + metres(density) + " kg per cubic metre",
+          metres(cube * density)));
     }
   }
 

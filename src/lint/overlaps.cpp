@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "lint/own_contacts.h"
+#include "lint/solid.h"
 #include "lint/watch.h"
 
 namespace contactscope::lint {
@@ -114,8 +114,9 @@ class OverlapsWatch final : public Watch {
   static constexpr int kResting = 10;
 
   void look(const Solids& solids, const Moments& frames, const Names& names, List& list) {
-    const std::optional<Placed> a = place(solids, frames.of_contacts(), names.first, {});
-    const std::optional<Placed> b = place(solids, frames.of_contacts(), names.second, {});
+    const Reading collided = solids.collided(names.first, names.second);
+    const std::optional<Placed> a = place(solids, frames.of_contacts(), names.first, collided);
+    const std::optional<Placed> b = place(solids, frames.of_contacts(), names.second, collided);
     if (!a || !b) return;
     const std::optional<Separation> separation = separation_of(*a, *b);
     if (!separation) return;

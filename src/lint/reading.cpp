@@ -1,5 +1,6 @@
 #include "lint/reading.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace contactscope::lint {
@@ -200,26 +201,12 @@ const std::vector<Explanation>& explanations() {
 }
 
 bool takes(const trace::Shape& shape, Form form) {
-  switch (form) {
-    case Form::AsReported:
-      return false;
-    case Form::BoxesHalf:
-    case Form::BoxesTwice:
-      return shape.type == "box";
-    case Form::RadiiHalf:
-    case Form::RadiiTwice:
-      return shape.radius > 0;
-    case Form::CapsulesHalf:
-    case Form::CapsulesTwice:
-    case Form::CapsulesAlongX:
-    case Form::CapsulesAlongY:
-    case Form::CapsulesAlongZ:
-      return shape.vertices.size() == 2 && shape.radius > 0;
-    case Form::OffsetsNegated:
-    case Form::PlanesTurned:
-      return shape.half_space.has_value();
-  }
-  return false;
+  if (form == Form::AsReported) return false;
+  if (form <= Form::BoxesTwice) return shape.type == "box";
+  if (form <= Form::RadiiTwice) return shape.radius > 0;
+  if (form <= Form::CapsulesAlongZ) return shape.vertices.size() == 2 && shape.radius > 0;
+  if (form <= Form::PlanesTurned) return shape.half_space.has_value();
+  return shape.type == "box" || shape.type == "cylinder";
 }
 
 namespace {
@@ -236,6 +223,16 @@ void scale(trace::Shape& shape, double factor) {
   for (Vec3d& vertex : shape.vertices) vertex = middle + factor * (vertex - middle);
 }
 
+/// The margin is Bullet's default. Boxes and cylinders shrink by it along each of their axes.
+void round_edges(trace::Shape& shape) {
+  const Vec3d middle = middle_of(shape);
+  Vec3d half = Vec3d::Zero();
+  for (const Vec3d& vertex : shape.vertices) half = half.cwiseMax((vertex - middle).cwiseAbs());
+  const double margin = std::min(0.04, half.minCoeff() / 10);
+  for (Vec3d& vertex : shape.vertices) vertex -= margin * (vertex - middle).cwiseQuotient(half);
+  shape.margin += margin;
+}
+
 void lay_along(trace::Shape& capsule, int axis) {
   const Vec3d middle = middle_of(capsule);
   const Vec3d half = 0.5 * (capsule.vertices[1] - capsule.vertices[0]).norm() * Vec3d::Unit(axis);
@@ -245,39 +242,17 @@ void lay_along(trace::Shape& capsule, int axis) {
 }  // namespace
 
 trace::Shape reformed(trace::Shape shape, Form form) {
-  switch (form) {
-    case Form::AsReported:
-      break;
-    case Form::BoxesHalf:
-    case Form::CapsulesHalf:
-      scale(shape, 0.5);
-      break;
-    case Form::BoxesTwice:
-    case Form::CapsulesTwice:
-      scale(shape, 2);
-      break;
-    case Form::RadiiHalf:
-      shape.radius *= 0.5;
-      break;
-    case Form::RadiiTwice:
-      shape.radius *= 2;
-      break;
-    case Form::CapsulesAlongX:
-      lay_along(shape, 0);
-      break;
-    case Form::CapsulesAlongY:
-      lay_along(shape, 1);
-      break;
-    case Form::CapsulesAlongZ:
-      lay_along(shape, 2);
-      break;
-    case Form::PlanesTurned:
-      shape.half_space->normal = -shape.half_space->normal;
-      [[fallthrough]];
-    case Form::OffsetsNegated:
-      shape.half_space->offset = -shape.half_space->offset;
-      break;
-  }
+  using enum Form;
+  if (form == BoxesHalf || form == CapsulesHalf) scale(shape, 0.5);
+  if (form == BoxesTwice || form == CapsulesTwice) scale(shape, 2);
+  if (form == RadiiHalf) shape.radius /= 2;
+  if (form == RadiiTwice) shape.radius *= 2;
+  if (form >= CapsulesAlongX && form <= CapsulesAlongZ)
+    lay_along(shape, int(form) - int(CapsulesAlongX));
+  if (form == PlanesTurned) shape.half_space->normal = -shape.half_space->normal;
+  if (form == PlanesTurned || form == OffsetsNegated)
+    shape.half_space->offset = -shape.half_space->offset;
+  if (form == EdgesRounded) round_edges(shape);
   return shape;
 }
 

@@ -33,6 +33,7 @@ enum class Form {
   CapsulesAlongZ,
   OffsetsNegated,
   PlanesTurned,
+  EdgesRounded,  // as Bullet's GJK does: boxes and cylinders, by a margin that lies inside
 };
 
 /// Whether a form applies to a shape.

@@ -7,6 +7,7 @@
 #include "field/nearest_point.h"
 #include "geometry/hull.h"
 #include "geometry/shape.h"
+#include "manifold/dispatch.h"
 #include "query/support_set.h"
 #include "trace/shape.h"
 
@@ -108,5 +109,18 @@ struct Separation {
 /// The largest separation_along(): the distance of separated solids, or minus their penetration
 /// depth. For convex solids and planes at their own scale; empty for others, and for two planes.
 std::optional<Separation> best_separation(const Placed& a, const Placed& b);
+
+/// Contacts from our own pipeline, for meshes, which best_separation() does not support.
+struct OwnContacts {
+  Manifolds<double> manifolds;  // all points; hulls without rounding
+  double separation = 0;  // metres, of the deepest point, with rounding; infinite without points
+};
+
+/// At their own scale. Empty for kinds of shapes that do not collide here.
+std::optional<OwnContacts> own_contacts(const Placed& a, const Placed& b);
+
+/// For shapes of any kind; empty if it cannot be computed, as for two meshes. For a mesh the normal
+/// is zero, and the distance is infinite if nothing touches it.
+std::optional<Separation> separation_of(const Placed& a, const Placed& b);
 
 }  // namespace contactscope::lint

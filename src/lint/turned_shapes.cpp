@@ -1,7 +1,7 @@
 #include <cmath>
 #include <map>
 
-#include "lint/tally.h"
+#include "lint/watch.h"
 
 namespace contactscope::lint {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lint/tally.h"
+#include "lint/watch.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "lint/claims.h"
@@ -48,5 +52,116 @@ std::unique_ptr<Watch> watch_windings();
 std::string metres(double length);
 /// "[0, 1, 0]".
 std::string spelled(const Vec3d& vector);
+
+/// An evenly spaced subset of a sequence of any length: up to kMax, and at least half as many.
+template <class T, std::size_t kMax> class Thinned {
+ public:
+  /// `always`: it stays, whatever the number; then all others have to as well.
+  void add(T one, bool always = false) {
+    if (!always && count_++ % every_ != 0) return;
+    kept_.push_back(std::move(one));
+    if (always || kept_.size() < kMax) return;
+    every_ *= 2;
+    for (std::size_t i = 1; 2 * i < kMax; ++i) kept_[i] = std::move(kept_[2 * i]);
+    kept_.resize((kMax + 1) / 2);
+  }
+  const std::vector<T>& kept() const { return kept_; }
+
+ private:
+  std::vector<T> kept_;
+  std::size_t count_ = 0, every_ = 1;
+};
+
+using Marks = Thinned<Mark, 1000>;
+inline void add_mark(Marks& marks, Mark mark, const LintOptions* options) {
+  const bool always = options != nullptr && options->is_marked;
+  if (!always || options->is_marked(mark.frame)) marks.add(std::move(mark), always);
+}
+
+/// Counts occurrences of one problem among all cases, and keeps the first of each pair, and the worst.
+struct Tally {
+  static constexpr std::size_t kMaxPairs = 1000;  // later ones are only counted
+  /// An error of this size, relative to the smaller shape, and so many times as large as all smaller
+  /// ones is reported however rare it is: no rounding makes it.
+  static constexpr double kGross = 0.02, kTimesOthers = 10;
+
+  /// The first occurrence of a pair, and the number of all.
+  struct OfPair {
+    Finding first{};
+    int count = 0;
+  };
+
+  std::string cause{};
+  int count = 0, of = 0;
+  std::map<std::pair<std::string, std::string>, OfPair> pairs{};
+  Finding first{}, worst{};
+  double small = 0;  // the largest size below kGross
+  Marks marks{};
+
+  /// Adds an occurrence; `said` and `is` are only built for the first of a pair and the worst.
+  template <class Words>
+  void wrong_at(Mark mark, const Moments& frames, double size, const Words& words) {
+    if (frames.options != nullptr && frames.options->ignores(cause, mark.a, mark.b)) return;
+    const std::pair key(mark.a, mark.b);
+    const auto known = pairs.find(key);
+    const bool is_first = known == pairs.end() && pairs.size() < kMaxPairs;
+    if (known != pairs.end()) ++known->second.count;
+    const bool is_worst = size >= kGross && size > worst.gross;
+    if (size < kGross) small = std::max(small, size);
+    if (is_first || is_worst) {
+      const auto [said, is] = words();
+      const Finding one{"", "", "", 0, 0, mark.line, mark.frame, mark.a, mark.b, said, is};
+      if (is_first) pairs[key] = {one, 1};
+      if (count == 0) first = one;
+      if (is_worst) worst = one, worst.gross = size;
+    }
+    ++count;
+    add_mark(marks, std::move(mark), frames.options);
+  }
+  template <class Words>
+  void wrong(const Moments& frames, const std::string& a, const std::string& b, const Words& words,
+             const std::optional<Vec3d>& at = std::nullopt) {
+    wrong_at({frames.now->frame, frames.now->line, a, b, at}, frames, 0, words);
+  }
+
+  /// Reports the problem, as below the threshold unless it occurs at least `least` times and in
+  /// that share of the cases, or one is gross.
+  void report(const std::string& what, const char* remedy, int least, double share,
+              std::vector<Finding>& findings) const {
+    if (count == 0) return;
+    // One pair may have nearly all of them, and another one the first.
+    const auto most =
+        std::ranges::max_element(pairs, {}, [](const auto& pair) { return pair.second.count; });
+    const double gross = worst.gross > kTimesOthers * small ? worst.gross : 0;
+    const bool is_rare = count < share * of;
+    Finding finding = is_rare && gross > 0             ? worst
+                      : 2 * most->second.count > count ? most->second.first
+                                                       : first;
+    finding.gross = gross;
+    finding.cause = cause;
+    finding.what = what;
+    finding.remedy = remedy;
+    finding.count = count;
+    finding.of = of;
+    finding.marks = marks.kept();
+    if (is_rare && gross == 0)
+      finding.below = metres(100 * share) + " %";
+    else if (count < least)
+      finding.below = std::to_string(least) + " of them";
+    findings.push_back(finding);
+  }
+};
+
+/// Values, each with the number of its occurrences.
+using Counted = std::vector<std::pair<double, int>>;
+/// The median.
+inline double middle_of(Counted& values) {
+  std::ranges::sort(values);
+  int all = 0, below = 0;
+  for (const auto& [value, times] : values) all += times;
+  for (const auto& [value, times] : values)
+    if ((below += times) > all / 2) return value;
+  return 0;
+}
 
 }  // namespace contactscope::lint

@@ -74,18 +74,19 @@ void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
   }
 }
 
-void WrongPairs::add(WrongPair pair, bool individually) {
+void WrongPairs::add(WrongPair pair, bool is_marked) {
   ++count_;
   std::string signature;
-  if (kept_.size() >= kWhole && !individually) {
+  if (kept_.size() >= kWhole) {
     if (places_.empty())
       for (std::size_t i = 0; i < kept_.size(); ++i) places_.emplace(signature_of(kept_[i]), i);
     signature = signature_of(pair);
     const auto known = places_.find(signature);
     // With thousands of distinct errors their exact frequencies do not matter.
     if (known != places_.end() || kept_.size() >= (pair.gross ? 2 * kMax : kMax)) {
-      ++kept_[known != places_.end() ? known->second : kept_.size() - 1].times;
-      return;
+      WrongPair& as = kept_[known != places_.end() ? known->second : kept_.size() - 1];
+      if (is_marked) as.others.push_back({pair.frame, pair.line, pair.a, pair.b, pair.at});
+      return void(++as.times);
     }
     places_.emplace(std::move(signature), kept_.size());
   }

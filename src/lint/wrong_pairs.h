@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lint/claims.h"
+#include "lint/linter.h"
 
 namespace contactscope::lint {
 
@@ -33,7 +34,8 @@ struct WrongPair {
   bool severe = false;                         // beyond all of them
   bool beyond = true, grossly_beyond = false;  // likewise for the tolerance that the user gives
   bool record = false;
-  int times = 1;  // number of pairs
+  int times = 1;               // number of pairs
+  std::vector<Mark> others{};  // of these, if all are marked
 };
 
 /// The finding of wrong claims of a kind that nothing explains (causes.cpp).
@@ -49,7 +51,7 @@ void put_in_words(const trace::Pair& pair, WrongPair& wrong);
 /// if they differ, with their count.
 class WrongPairs {
  public:
-  void add(WrongPair pair, bool individually = false);
+  void add(WrongPair pair, bool is_marked = false);
 
   int count() const { return count_; }
   /// Number of pairs that are not reported yet.

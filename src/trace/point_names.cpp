@@ -84,10 +84,9 @@ int facing(const Shape& shape, const Vec3d& direction) {
     const bool in_front = std::ranges::count_if(face, [&](int vertex) {
                             return front - direction.dot(at(shape.vertices, vertex)) <= flat;
                           }) >= 2;
+    if (in_front < best_is_in_front) continue;
     const double alignment = normal_of(shape, face).dot(direction);
-    if (in_front < best_is_in_front ||
-        (in_front == best_is_in_front && alignment <= best_alignment))
-      continue;
+    if (in_front == best_is_in_front && alignment <= best_alignment) continue;
     best = static_cast<int>(i);
     best_is_in_front = in_front;
     best_alignment = alignment;

@@ -15,7 +15,7 @@
 
 #include "core/at.h"
 #include "core/convex_polygon.h"
-#include "lint/own_contacts.h"
+#include "lint/solid.h"
 #include "manifold/dispatch.h"
 
 namespace contactscope::versus {

@@ -2,7 +2,7 @@
 
 #include "core/at.h"
 #include "lint/claims.h"
-#include "lint/own_contacts.h"
+#include "lint/solid.h"
 #include "trace/find.h"
 
 namespace contactscope::versus {

@@ -24,7 +24,7 @@ enum class Focus {
   Contact,
   Shapes,
   Deepest,  // the pair with the largest overlap
-  Worst,    // the pair with the largest overlap for the size of its smaller body
+  Worst,  // the pair that lint names first, else that with the largest overlap for its smaller body
 };
 inline constexpr std::array kFocusNames = {std::string_view("contact"), std::string_view("shapes"),
                                            std::string_view("deepest"), std::string_view("worst")};
@@ -68,12 +68,19 @@ struct View {
   std::vector<Panel> panels;
   /// Charts of the panels plots and stability; default: all for which the sequence has values.
   std::optional<std::vector<Chart>> charts;
-  std::vector<Fault> faults{};  // for the panel lint
+  std::vector<Fault> faults{};  // for the panel lint and Focus::Worst
 
   bool shows(Layer layer) const { return std::ranges::find(layers, layer) != layers.end(); }
   bool shows(Panel panel) const { return std::ranges::find(panels, panel) != panels.end(); }
   bool shows(Chart chart) const {
     return !charts || std::ranges::find(*charts, chart) != charts->end();
+  }
+  /// The place that lint names first in the drawn frames; nullptr if it names none.
+  const Fault::Place* first_fault() const {
+    for (const Fault& fault : faults)
+      for (const Fault::Place& place : fault.places)
+        if (!fault.is_condition && !place.a.empty()) return &place;
+    return nullptr;
   }
 };
 

@@ -71,6 +71,45 @@ TEST(FindVerb, GivesPointsWithoutIdsTheSameOnesAsPictures) {
   EXPECT_THAT(drawn.out, Not(HasSubstr("frame_0002.svg")));
 }
 
+/// A pair that slides slowly, and that two frames leave out.
+TEST(FindVerb, CausesOfLintAreFoundWhereTheyWereSeeded) {
+  const TemporaryFolder folder;
+  std::string text = crate_trace(std::vector<int>(9, 4));
+  const std::string pose = R"("crate":{"position":[0,)";
+  std::size_t at = 0;
+  for (int f = 0; f < 9; ++f) {
+    at = text.find(pose, at) + pose.size() - 1;
+    text.insert(at, "." + std::string(3, '0') + std::to_string(f) + "0");
+    if (f != 3 && f != 6) continue;
+    const std::size_t pairs = text.find("\"pairs\":[", at) + 9;
+    text.erase(pairs, text.find("\n", pairs) - 2 - pairs);
+  }
+  const std::string file = folder.write("run.jsonl", text);
+  const auto frames = [&](const std::string& condition) {
+    const ProgramRun found = run("find '" + file + "' '" + condition + "' --json");
+    std::vector<int> frames;
+    for (const auto& one : nlohmann::json::parse(found.out)["found"]) {
+      EXPECT_EQ(one["a"].get<std::string>() + one["b"].get<std::string>(), "groundcrate")
+          << found.out;
+      frames.push_back(one["frame"]);
+    }
+    return frames;
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(frames("lint.pairs_flicker"), ElementsAre(3, 6));
+  EXPECT_THAT(frames("lint > 0 and points == 0"), ElementsAre(3, 6));
+  EXPECT_THAT(frames("lint.points_flicker"), ElementsAre());
+  EXPECT_EQ(frames("not lint").size(), 7u);
+  EXPECT_THAT(run("find '" + file + "' lint.pair_flicker").err,
+              HasSubstr("did you mean 'pairs_flicker'?"));
+  EXPECT_THAT(run("find '" + file + "' \"lint == 'pairs_flicker'\"").err,
+              HasSubstr("left of '==' is a count, right of it a text"));
+  const ProgramRun drawn = run("render '" + file + "' --where lint --format svg --json --out '" +
+                               folder.path().string() + "'");
+  EXPECT_THAT(drawn.out, testing::AllOf(HasSubstr("frame_0003.svg"), HasSubstr("frame_0006.svg"),
+                                        Not(HasSubstr("frame_0002.svg"))));
+}
+
 TEST(FindVerb, ExitCodesAndErrors) {
   const TemporaryFolder folder;
   const std::string file = folder.write("run.jsonl", crate_trace({4, 4}));

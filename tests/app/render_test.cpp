@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/program.h"
 #include "image/png.h"
@@ -160,6 +161,36 @@ TEST(Render, WhereMarksThePairsOfAHeapAndKeepsTheOthers) {
   // Those of the panel `worst`: 0.570, 0.430, 0.424, 0.204 mm.
   EXPECT_THAT(marked, AllOf(HasSubstr("pairs for which the condition holds"), HasSubstr("!3"),
                             Not(HasSubstr("!4"))));
+}
+
+/// The overlaps of another pair are the largest.
+TEST(Render, TheWorstIsThePairAndTheFrameThatLintNamesFirst) {
+  const TemporaryFolder folder;
+  std::ifstream in("scenarios/heap/bullet_twenty.jsonl");
+  std::string text, line;
+  while (std::getline(in, line)) {
+    nlohmann::ordered_json frame = nlohmann::ordered_json::parse(line);
+    if (frame.contains("pairs") && frame["frame"] == 1)
+      for (auto& pair : frame["pairs"])
+        if (pair["a"] == "tray" && pair["b"] == "box_2")
+          for (auto& component : pair["manifolds"][0]["normal"])
+            component = -component.get<double>();
+    text += frame.dump() + "\n";
+  }
+  const std::string trace = folder.write("flipped.jsonl", text);
+  const auto picture = [&](const std::string& options, const std::string& frame) {
+    const std::string out = folder / ("out" + std::to_string(options.size()));
+    EXPECT_EQ(run("render '" + trace + "' --format svg --out '" + out + "'" + options).exit_code,
+              0);
+    EXPECT_THAT(files_below(out), ElementsAre("heap/bullet_twenty/frame_" + frame + ".svg"));
+    std::ifstream file(out + "/heap/bullet_twenty/frame_" + frame + ".svg");
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  EXPECT_THAT(picture(" --focus worst", "0001"),
+              AllOf(HasSubstr("flipped normals"), HasSubstr("!1  tray and box 2")));
+  // Nothing is wrong in the frame that is chosen.
+  EXPECT_THAT(picture(" --focus worst --frames 0", "0000"),
+              AllOf(HasSubstr("in view: the largest overlap"), Not(HasSubstr("!1  "))));
 }
 
 TEST(Render, FramesOfATraceAreChosenByNumber) {

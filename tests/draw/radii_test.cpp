@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "crate_on_slab.h"
-#include "draw/scene/clipped_segment.h"
+#include "draw/scene/clip_story.h"
 
 namespace contactscope::draw {
 namespace {

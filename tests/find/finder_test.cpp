@@ -63,14 +63,33 @@ std::vector<trace::Frame> sample() {
   return frames;
 }
 
-std::vector<At> find(const std::string& text) {
+std::vector<At> find(const std::string& text, const std::vector<lint::Finding>& findings = {}) {
   static const std::vector<std::string> kNames = {"crate", "ball", "rod"};
   Finder finder{Expression(text, vocabulary())};
+  finder.take(findings);
   std::vector<At> found;
   for (const trace::Frame& frame : sample())
     for (const Hit& hit : finder.next(frame))
-      found.push_back({hit.frame, std::ranges::find(kNames, hit.b)->c_str()});
+      found.push_back(
+          {hit.frame, std::ranges::find(kNames, hit.a == "floor" ? hit.b : hit.a)->c_str()});
   return found;
+}
+
+/// The ball has no record in frame 3, and the crate is named alone.
+TEST(Finder, FindingsOfLintAreTriedInTheirFrames) {
+  std::vector<lint::Finding> findings(3);
+  findings[0].cause = "pairs_flicker";
+  findings[0].marks = {{3, 5, "ball", "floor"}, {4, 6, "floor", "ball"}};
+  findings[1].cause = "poses_jump";
+  findings[1].marks = {{4, 6, "crate", ""}};
+  findings[2].cause = "side";
+  findings[2].marks = {{0, 2, "floor", "crate"}};
+  findings[2].below = "2 %";  // not reported
+  EXPECT_THAT(find("lint", findings), ElementsAre(At{3, "ball"}, At{4, "crate"}, At{4, "ball"}));
+  EXPECT_THAT(find("lint.pairs_flicker and points == 0", findings), ElementsAre(At{3, "ball"}));
+  EXPECT_THAT(find("lint.poses_jump == 1", findings), ElementsAre(At{4, "crate"}));
+  EXPECT_THAT(find("lint.side", findings), IsEmpty());
+  EXPECT_THAT(find("lint"), IsEmpty());
 }
 
 TEST(Finder, QuantitiesOfAFrame) {
@@ -173,7 +192,8 @@ TEST(Finder, ReadsTheSameFromTextOnSeveralThreadsWithoutTheOtherParts) {
       EXPECT_FALSE(frame.pairs.front().sat || frame.pairs.front().cache);
       EXPECT_EQ(frame.poses.empty(), std::string(condition) == "age == 0");
       for (const Hit& hit : finder.next(std::move(frame)))
-        found.push_back({hit.frame, std::ranges::find(kNames, hit.b)->c_str()});
+        found.push_back(
+            {hit.frame, std::ranges::find(kNames, hit.a == "floor" ? hit.b : hit.a)->c_str()});
     }
     EXPECT_THAT(found, testing::ElementsAreArray(find(condition)));
     ASSERT_TRUE(reader.torn());

@@ -1,4 +1,4 @@
-#include "lint/own_contacts.h"
+#include "lint/solid.h"
 
 #include <gtest/gtest.h>
 

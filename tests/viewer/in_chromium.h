@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -76,10 +77,11 @@ class InChromium : public testing::Test {
   }
 
   /// The result of a script that runs in the page when it is drawn.
-  /// `workers`: whether the page may start any.
-  json result(const std::string& script, const CrateOnSlab& scene = rising(),
-              bool workers = true) const {
+  /// `workers`: whether the page may start any. `damage` changes the page.
+  json result(const std::string& script, const CrateOnSlab& scene = rising(), bool workers = true,
+              const std::function<void(std::string&)>& damage = {}) const {
     std::string html = page_of(scene);
+    if (damage) damage(html);
     constexpr std::string_view kAllowed = "worker-src blob:";
     if (!workers) html.replace(html.find(kAllowed), kAllowed.size(), "worker-src 'none'");
     const std::string page = folder_.write("page.html", html);

@@ -20,7 +20,7 @@ const send = (method, params, sessionId) => new Promise(done => {
 const { result: { targetId } } = await send('Target.createTarget', { url: address });
 const { result: { sessionId } } = await send('Target.attachToTarget', { targetId, flatten: true });
 const evaluate = async expression => (await send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true }, sessionId)).result;
-const isReady = async () => (await evaluate("document.documentElement.dataset.ready === 'yes' && typeof contactscope === 'object'"))?.result?.value === true;
+const isReady = async () => (await evaluate("document.documentElement.dataset.ready === 'no' || document.documentElement.dataset.ready === 'yes' && typeof contactscope === 'object'"))?.result?.value === true;
 while (!await isReady()) await new Promise(done => setTimeout(done, 30));
 await evaluate('new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))');
 const { result, exceptionDetails } = await evaluate('(() => {' + script + '})()');

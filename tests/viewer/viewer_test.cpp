@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
+#include "core/at.h"
 #include "find/finder.h"
 #include "viewer/in_chromium.h"
 
@@ -179,41 +182,108 @@ TEST_F(InChromium, AWallBetweenTheEyeAndTheContactsIsCutAway) {
   EXPECT_EQ(page["-1"], (json{"crate <b>&amp;", "wall"}));
 }
 
+/// Fifteen crates in a row behind each other, and the slab far away. The last but one is selected.
+TEST_F(InChromium, BodiesBeforeASelectedOneAreCutAwayAndAreNotHit) {
+  CrateOnSlab scene = rising();
+  for (int i = 0; i < 14; ++i) {
+    trace::Shape shape = scene.header.shapes[1];
+    shape.name = "crate " + std::to_string(i);
+    scene.header.shapes.push_back(shape);
+    for (trace::Frame& frame : scene.frames)
+      frame.poses.emplace_back(shape.name, Pose<double>{Quatd::Identity(), Vec3d(0, 50, 3.0 * i)});
+  }
+  const json page = result(R"(
+    const { data, orbit, bodies, go, select } = contactscope, canvas = document.getElementById('view'), gl = canvas.getContext('webgl'), ray = new THREE.Raycaster();
+    const body = name => data.shapes.findIndex(shape => shape.name === name), at = z => new THREE.Vector3(0, 50, z);
+    go(0);
+    const hit = () => {
+      orbit.target.copy(at(3));
+      orbit.lookFrom([0, 0, 1]);
+      orbit.distance = 200;
+      orbit.place(canvas.clientWidth, canvas.clientHeight, 100);
+      ray.setFromCamera({ x: 0, y: 0 }, orbit.camera);
+      return (data.shapes[bodies.hit(ray)] || {}).name || '';
+    };
+    const seen = [hit()];
+    for (const name of ['crate 1', 'crate 13']) {
+      select({ body: body(name) });
+      seen.push(hit());
+    }
+    select(null);
+    seen.push(hit());
+    return { seen };)",
+                           scene);
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  EXPECT_EQ(page["seen"].dump(), R"(["crate 13","crate 1","crate 13","crate 13"])");
+}
+
+TEST_F(InChromium, DamagedFactsAreReportedWithOrWithoutAWorker) {
+  for (const bool workers : {true, false}) {
+    const json page = result("return { title: document.getElementById('title').textContent };",
+                             rising(), workers, [](std::string& html) {
+                               const std::string begin = "id=\"facts_data\">\n";
+                               html.erase(html.find(begin) + begin.size() + 40, 30);
+                             });
+    EXPECT_THAT(page["title"].get<std::string>(), HasSubstr("its facts cannot be unpacked"));
+  }
+}
+
+/// The pair leaves the trace and comes back.
+CrateOnSlab leaving() {
+  CrateOnSlab scene = rising();
+  for (const int frame : {2, 8, 9}) at(scene.frames, frame).pairs.clear();
+  return scene;
+}
+
 /// Number of records that `find` finds in the trace of the page.
 int found_by_find(const std::string& expression) {
   find::Finder finder(find::Expression(expression, find::vocabulary()));
+  const CrateOnSlab scene = leaving();
+  finder.take(lint::lint({scene.header, scene.frames}));
   int hits = 0;
-  for (const trace::Frame& frame : rising().frames) hits += int(finder.next(frame).size());
+  for (const trace::Frame& frame : scene.frames) hits += int(finder.next(frame).size());
   return hits;
 }
 
 TEST_F(InChromium, SearchKnowsTheWordsOfFindAndFindsTheSame) {
-  const std::vector<std::string> expressions = {"age > 1",
-                                                "away >= 2",
-                                                "previous.points > points",
-                                                "previous.overlap > 15 mm and previous.frame < 9",
-                                                "previous.age >= 0",
-                                                "points_gained > 0 or points_lost == 4",
-                                                "ids_lost > 2 or ids_gained > 0",
-                                                "overlap > 17.5 mm",
-                                                "overlap_change < 0",
-                                                "impulse_change > 1 N s",
-                                                "normal_turn > 30 deg",
-                                                "motion > 0.5 mm",
-                                                "turn > 1 deg",
-                                                "label == '' and manifolds and touching",
-                                                "axis == ''",
-                                                "motion > 500000 nm and a == 'slab'"};
+  std::vector<std::string> expressions = {"age > 1",
+                                          "away == 5",
+                                          "previous.away > 3",
+                                          "lint",
+                                          "lint > 1",
+                                          "lint and not points",
+                                          "not lint and points_lost",
+                                          "away >= 2",
+                                          "previous.points > points",
+                                          "previous.overlap > 15 mm and previous.frame < 9",
+                                          "previous.age >= 0",
+                                          "points_gained > 0 or points_lost == 4",
+                                          "ids_lost > 2 or ids_gained > 0",
+                                          "overlap > 17.5 mm",
+                                          "overlap_change < 0",
+                                          "impulse_change > 1 N s",
+                                          "normal_turn > 30 deg",
+                                          "motion > 0.5 mm",
+                                          "turn > 1 deg",
+                                          "label == '' and manifolds and touching",
+                                          "axis == ''",
+                                          "motion > 500000 nm and a == 'slab'"};
+  std::set<std::string> causes;
+  for (const lint::Finding& one : lint::lint({leaving().header, leaving().frames}))
+    causes.insert(one.cause);
+  ASSERT_FALSE(causes.empty());
+  for (const std::string& cause : causes) expressions.push_back("lint." + cause);
   const json page = result("const found = " + json(expressions).dump() + R"(.map(one => {
       contactscope.search(one);
       return Number.parseInt(document.getElementById('found').textContent);
     });
     contactscope.search('previous.motion > 1');
-    return { found, quantities: contactscope.quantities, refused: document.getElementById('found').textContent };)");
+    return { found, quantities: contactscope.quantities, refused: document.getElementById('found').textContent };)",
+                           leaving());
   ASSERT_FALSE(page.contains("error")) << page["error"];
   for (std::size_t i = 0; i < expressions.size(); ++i)
     EXPECT_EQ(page["found"][i], found_by_find(expressions[i])) << expressions[i];
-  EXPECT_EQ(found_by_find("age > 1"), 2);
+  EXPECT_EQ(found_by_find("age > 0"), 1);
   EXPECT_THAT(page["refused"].get<std::string>(), HasSubstr("leave out 'previous.'"));
   std::vector<std::string> words;
   for (const find::Quantity& known : find::pair_quantities()) words.emplace_back(known.name);

@@ -1,5 +1,7 @@
 #include "draw/charts/series_chart.h"
 
+#include <unordered_map>
+#include <unordered_set>
 #include "draw/scene/pairs.h"
 #include "view/words.h"
 
@@ -11,10 +13,12 @@ constexpr std::size_t kMaxPairLines = 4;
 
 /// Name of the deepest pair in a frame; the first if equal, empty without contact.
 std::string deepest_of(const std::vector<PairSeries>& pairs, std::size_t frame) {
-  const auto depth = [&](const PairSeries& series) { return series.penetration[frame]; };
-  const auto most = std::ranges::max_element(
-      pairs, {}, [&](const PairSeries& series) { return std::fmax(-1, depth(series)); });
-  return std::isnan(depth(*most)) ? "" : most->name;
+  const PairSeries* most = nullptr;
+  for (const PairSeries& series : pairs)
+    if (const double depth = series.penetration[frame];
+        most == nullptr ? !std::isnan(depth) : depth > most->penetration[frame])
+      most = &series;
+  return most == nullptr ? "" : most->name;
 }
 
 /// A pair that touches in some frame: index of its series, and rows of its ids.
@@ -27,8 +31,8 @@ struct KnownPair {
 struct Group {
   TimeSeries series;
   std::vector<PairSeries> pairs;  // in order of their first contact
-  std::map<std::pair<std::string_view, std::string_view>, KnownPair> known;
-  std::set<std::string_view> bodies;
+  std::unordered_map<std::string_view, std::unordered_map<std::string_view, KnownPair>> known;
+  std::unordered_set<std::string_view> bodies;
   std::string query, last_query;  // of the current and the previous frame
 };
 
@@ -49,7 +53,7 @@ void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group&
   const std::vector<PairPoint> contacts = all_points(pair);
   if (contacts.empty() && (!pair.reduction || pair.reduction->points.empty())) return;
   const auto [entry, is_new] =
-      group.known.try_emplace({pair.a, pair.b}, KnownPair{group.pairs.size()});
+      group.known[pair.a].try_emplace(pair.b, KnownPair{group.pairs.size()});
   if (is_new) {
     const std::vector<double> none(frames, std::numeric_limits<double>::quiet_NaN());
     group.pairs.push_back({name_in_words(pair.a) + " and " + name_in_words(pair.b), none, none});

@@ -1,6 +1,5 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/clip_story.h"
-#include "draw/scene/clipped_segment.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"

@@ -64,7 +64,8 @@ class LintPanel : public PanelContent {
     const auto high = [&](std::size_t rows) {
       return Sheet::heading_height(scale_) + static_cast<float>(rows) * Sheet::line_height(scale_);
     };
-    const std::size_t rows = std::min(rows_in(staging_.view), 5 * staging_.view.faults.size());
+    const std::size_t rows =
+        std::min(rows_in(staging_.view), by_overlap_ + 5 * staging_.view.faults.size());
     return {high(rows), high(rows), high(rows), 0};
   }
 
@@ -89,6 +90,7 @@ class LintPanel : public PanelContent {
       pen.text(pen.fitted(text, weight, room), pixel(rest.x, baseline), Align::Left, kText, weight);
       sheet.skip_to(rest.y + height);
     };
+    if (by_overlap_) row("in view: the largest overlap for its body's size");
     for (const InFrame& one : faults) {
       const Fault& fault = *one.fault;
       row(fault.is_condition ? fault.cause : in_words(fault.cause),
@@ -106,6 +108,10 @@ class LintPanel : public PanelContent {
     }
     return left_out == 0 ? "" : counted(left_out, "line", "lines");
   }
+
+ private:
+  /// Whether lint has nothing to focus on.
+  const bool by_overlap_ = staging_.view.focus == Focus::Worst && !staging_.view.first_fault();
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"

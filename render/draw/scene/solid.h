@@ -69,8 +69,6 @@ void draw_crowd(const Scene& scene, Sketch& sketch);
 /// Whether part of the shape is in the picture. Always true for planes and meshes.
 bool in_view(const Camera& camera, const PlacedShape& shape);
 
-// Shapes drawn at poses that they do not have in this frame, such as predicted or corrected ones.
-
 /// Turns the shape about `pivot` by `turn` (axis times radians), then moves it by `offset`. World,
 /// metres.
 PlacedShape moved(PlacedShape shape, const Vec3d& pivot, const Vec3d& offset, const Vec3d& turn);

@@ -107,29 +107,36 @@ std::vector<lint::Finding> lint_trace(TraceFile& file, const lint::LintOptions& 
   return findings;
 }
 
-void add_faults(const Input& input, const std::vector<int>& drawn, std::vector<View>& views) {
-  if (std::ranges::none_of(views, [](const View& view) { return view.shows(Panel::Lint); })) return;
-  const lint::LintOptions options{.marked = drawn};
-  std::vector<lint::Finding> findings;
+std::vector<lint::Finding> lint_input(const Input& input, const lint::LintOptions& options) {
+  if (input.file == "standard input")
+    throw UsageError("lint reads a trace twice here; write it to a file first");
   if (!input.file.empty()) {
-    if (input.file == "standard input")
-      throw UsageError("the panel lint reads a trace twice; write it to a file first");
     TraceFile file(input.file);
-    findings = lint_trace(file, options);
-  } else {
-    std::vector<int> all(static_cast<std::size_t>(input.scenario.frames));
-    std::iota(all.begin(), all.end(), 0);
-    findings = lint_scenario(input.scenario, all, options);
+    return lint_trace(file, options);
   }
-  std::erase_if(findings, [](const lint::Finding& one) { return !lint::is_reported(one); });
-  const std::vector<Fault> faults = mapped(findings, [](const lint::Finding& one) {
-    return Fault{one.cause, one.count, one.of, one.frame,
-                 mapped(one.marks, [](const lint::Mark& mark) {
-                   return Fault::Place{mark.frame, mark.a, mark.b, mark.at};
-                 })};
-  });
+  std::vector<int> all(static_cast<std::size_t>(input.scenario.frames));
+  std::iota(all.begin(), all.end(), 0);
+  return lint_scenario(input.scenario, all, options);
+}
+
+void add_faults(const Input& input, const std::vector<int>& drawn, std::vector<View>& views) {
+  const auto has_faults = [](const View& view) {
+    return view.shows(Panel::Lint) || view.focus == Focus::Worst;
+  };
+  if (std::ranges::none_of(views, has_faults)) return;
+  const auto is_drawn = [&](int frame) { return std::ranges::binary_search(drawn, frame); };
+  std::vector<Fault> faults;
+  for (const lint::Finding& one : lint_input(input, {.is_marked = is_drawn})) {
+    if (!lint::is_reported(one)) continue;
+    Fault& fault = faults.emplace_back(Fault{one.cause, one.count, one.of, one.frame});
+    for (const lint::Mark& mark : one.marks)
+      if (is_drawn(mark.frame)) fault.places.push_back({mark.frame, mark.a, mark.b, mark.at});
+    std::stable_partition(fault.places.begin(), fault.places.end(), [&](const Fault::Place& place) {
+      return place.frame == one.frame && place.a == one.a && place.b == one.b;
+    });
+  }
   for (View& view : views)
-    if (view.shows(Panel::Lint)) view.faults = faults;
+    if (has_faults(view)) view.faults = faults;
 }
 
 }  // namespace contactscope::app

@@ -29,8 +29,11 @@ std::vector<lint::Finding> lint_trace(TraceFile& file, const lint::LintOptions& 
                                       const std::optional<FrameRange>& frames = {},
                                       const std::function<void(const trace::Frame&)>& look = {});
 
-/// Runs `lint` over all frames of an input if a view has the panel `lint`, and adds its findings,
-/// with their places in the frames that are drawn, to such views. Throws InputError and UsageError.
+/// Findings about all frames of an input. Throws InputError and UsageError.
+std::vector<lint::Finding> lint_input(const Input& input, const lint::LintOptions& options);
+
+/// If a view has the panel `lint` or the focus `worst`, adds the findings of lint_input(), with their
+/// places in the frames that are drawn, to such views: first the place that `lint` names.
 void add_faults(const Input& input, const std::vector<int>& drawn, std::vector<View>& views);
 
 }  // namespace contactscope::app

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "app/cli/faults.h"
 #include "core/at.h"
 #include "core/key_table.h"
 #include "draw/scene/pairs.h"
@@ -44,6 +45,11 @@ std::optional<Focus> word_in_focus(const Options& options) {
   return word_named<Focus>(kFocusNames, word == "contacts" ? "contact" : word);
 }
 
+void show_lint(View& view, const Options& options) {
+  if (!options.panels && !view.shows(Panel::Lint) && view.kind == ViewKind::Scene)
+    view.panels.insert(view.panels.begin(), Panel::Lint);
+}
+
 /// Number of items that a layer added to a picture.
 std::size_t drawn_by(const draw::Sketch& sketch) {
   return sketch.surfaces.size() + sketch.curves.size() + sketch.lines.size() +
@@ -68,9 +74,10 @@ find::Expression condition_of(const std::string& option, const std::string& text
   }
 }
 
-void keep_where(Sequence& sequence, std::vector<int>& frames, std::vector<View>& views,
+void keep_where(Sequence& sequence, Input& input, std::vector<View>& views,
                 const Options& options) {
   find::Finder finder(condition_of("--where", options.condition));
+  if (finder.wants_lint()) finder.take(lint_input(input, {.is_marked = [](int) { return true; }}));
   using Name = std::tuple<std::string, std::string, std::string>;
   std::map<int, std::set<Name>> found;
   const auto numbers =
@@ -79,7 +86,7 @@ void keep_where(Sequence& sequence, std::vector<int>& frames, std::vector<View>&
     for (find::Hit& hit : finder.next(sequence.frames[index]))
       found[hit.frame].emplace(std::move(hit.a), std::move(hit.b), std::move(hit.label));
   });
-  std::erase_if(frames, [&](int frame) { return !found.contains(frame); });
+  std::erase_if(input.frames, [&](int frame) { return !found.contains(frame); });
   if (std::ranges::any_of(sequence.frames, draw::is_heap)) {
     Fault marked{options.condition};
     for (const auto& [frame, names] : found)
@@ -88,8 +95,7 @@ void keep_where(Sequence& sequence, std::vector<int>& frames, std::vector<View>&
     marked.is_condition = true;
     for (View& view : views) {
       view.faults.push_back(marked);
-      if (!options.panels && !view.shows(Panel::Lint))
-        view.panels.insert(view.panels.begin(), Panel::Lint);
+      show_lint(view, options);
     }
     return;
   }
@@ -149,6 +155,7 @@ void place_focus(std::vector<View>& views, const Options& options) {
     const std::optional<Focus> word = word_in_focus(options);
     if (word) view.focus = *word;
     view.focus_on = word ? std::vector<std::string>() : options.focus;
+    if (word == Focus::Worst) show_lint(view, options);
   }
 }
 

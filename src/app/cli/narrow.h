@@ -19,14 +19,13 @@ find::Expression condition_of(const std::string& option, const std::string& text
 
 /// Reduces the frames to draw to those with a pair for which --where holds, and their pairs to
 /// these. Heaps keep all pairs, and the views mark these.
-void keep_where(Sequence& sequence, std::vector<int>& frames, std::vector<View>& views,
-                const Options& options);
+void keep_where(Sequence& sequence, Input& input, std::vector<View>& views, const Options& options);
 
 /// Applies the camera options of the command line to all views. Throws UsageError if a position is
 /// not three numbers.
 void place_camera(std::vector<View>& views, const Options& options);
 
-/// Applies --focus to all views. narrow() refuses names that are no shapes.
+/// Applies --focus to all views, `worst` with the panel lint. narrow() refuses unknown names.
 void place_focus(std::vector<View>& views, const Options& options);
 
 /// True if --view names a file.

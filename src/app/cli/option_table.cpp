@@ -186,7 +186,8 @@ const std::vector<Option>& option_table() {
        "Show only these shapes, as crate,floor"},
       {"--focus", "NAME,...", "render", &Options::focus,
        "What the camera frames: names of shapes, as crate,floor; or contacts, shapes, deepest (the "
-       "pair with the largest overlap) or worst (the same for its smaller body's size)"},
+       "pair with the largest overlap) or worst (what lint names first, without --frames in its "
+       "frame; else the largest overlap for the size of its smaller body)"},
       {"--where", "EXPRESSION", "render", &Options::condition,
        "Only frames with a pair for which the condition holds, and the contacts of such pairs; see "
        "`help find`"},

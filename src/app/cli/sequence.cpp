@@ -120,7 +120,6 @@ Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget) {
   Sampler sampler(hold == Hold::Sample ? budget : SIZE_MAX);
   while (std::optional<trace::Frame> frame = file->next()) {
     frame->shapes.clear();  // they are in the header now
-    if (trace::name_points(file->header().shapes, *frame)) sequence.ids_are_made = true;
     sequence.numbers.push_back(frame->frame);
     sampler.add(std::move(*frame), file->bytes());
   }
@@ -128,6 +127,8 @@ Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget) {
   sequence.every = sampler.every();
   sequence.frames = sampler.frames();
   sequence.header = file->header();
+  for (trace::Frame& frame : sequence.frames)  // not those that the sample leaves out
+    if (trace::name_points(sequence.header.shapes, frame)) sequence.ids_are_made = true;
   if (sequence.every > 1) sequence.file = std::move(file);
   return sequence;
 }

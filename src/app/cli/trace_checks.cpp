@@ -1,4 +1,4 @@
-#include "app/cli/trace_checks.h"
+#include "app/cli/trace_file.h"
 
 #include <concepts>
 #include <unordered_set>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/cli/trace_checks.h"
+#include <unordered_map>
 #include "trace/read_trace.h"
 
 namespace contactscope::app {
@@ -11,6 +11,39 @@ bool is_trace_file(const std::string& path);
 
 /// Remedy for a file in a known but unsupported format, see foreign_format_remedy(); else empty.
 std::string foreign_in(const std::string& path);
+
+/// Validates the consistency of a trace, one frame at a time.
+class TraceChecks {
+ public:
+  /// Problem and remedy.
+  struct Wrong {
+    std::string text;
+  };
+
+  /// Adds convex hull faces to hulls without faces. Keeps a reference to header. Throws Wrong with
+  /// `problems`, those of reading it, and all others, each in a line; the second and further ones
+  /// have `place` in front.
+  TraceChecks(trace::Header& header, const std::string& place, std::vector<std::string> problems);
+
+  /// Checks the next frame and adds its shapes to the header. Throws Wrong.
+  void frame(trace::Frame& frame);
+  /// Only its shapes.
+  void shapes(trace::Frame& frame);
+
+  int last_frame() const { return last_; }
+
+ private:
+  void add(trace::Shape shape);
+  void facts(const trace::Frame& frame) const;
+  void pair(std::size_t index, const trace::Pair& pair) const;
+  /// `place` returns a text for where the name is used.
+  template <class Place>
+  const trace::Shape& named(const std::string& name, const Place& place) const;
+
+  trace::Header& header_;
+  std::unordered_map<std::string, std::size_t> places_;  // index of each shape in the header
+  int last_ = -1;                                        // frame number
+};
 
 /// A trace of contactscope or another engine, read and checked frame by frame; "-" is standard
 /// input. Every function throws InputError with line and remedy if the trace is unreadable or

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/faults.h"
 #include "app/cli/narrow.h"
 #include "app/cli/progress.h"
 #include "app/cli/table.h"
@@ -75,7 +76,13 @@ void print_json(const std::vector<Hit>& hits, const find::Expression& expression
 ExitCode run_find(const Options& options) {
   note_interrupts();
   find::Finder finder(condition_of("EXPRESSION", options.condition));
-  TraceFile file(options.scenarios.front());
+  TraceFile file(options.scenarios.front(),
+                 finder.wants_lint() ? TraceFile::Passes::Several : TraceFile::Passes::One);
+  if (finder.wants_lint()) {
+    const auto& only = options.frames;
+    finder.take(lint_trace(file, {.is_marked = [&](int f) { return !only || only->names(f); }}));
+    file.rewind();
+  }
   Workers workers(hardware_threads());
   std::vector<Hit> hits;
   std::set<int> found;

@@ -87,7 +87,7 @@ Sequence sequence_of(Input& input, std::vector<View>& views, bool every_stage,
     account_stages(input.scenario, stages, log);
   }
   narrow(sequence, options);
-  if (!options.condition.empty()) keep_where(sequence, input.frames, views, options);
+  if (!options.condition.empty()) keep_where(sequence, input, views, options);
   account_facts(input.scenario.name, views, sequence, log);
   return sequence;
 }
@@ -109,6 +109,13 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
   add_faults(input, input.frames, input.scenario.views);
   std::vector<View> views = selected_views(scenario, options);
   Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
+  if (options.focus == std::vector<std::string>{"worst"} && !views.empty() && !options.frames &&
+      !options.strip && options.condition.empty() &&
+      std::ranges::all_of(formats_named(options.formats), &Format::encode)) {
+    const draw::ShapeMeshes meshes(sequence.header.shapes);
+    const Fault::Place worst = draw::place_in_focus(views[0], sequence.frames, meshes);
+    if (!worst.a.empty()) input.frames = {worst.frame};
+  }
   if (input.frames.empty()) {
     std::cerr << "in no frame of " << scenario.name << " is there a pair with " << options.condition
               << '\n';
@@ -203,7 +210,7 @@ ExitCode run_render(const Options& options) {
     }
     sinks.finish();
   }
-  if (!options.condition.empty()) pictures = count_pictures();
+  pictures = count_pictures();
   if (cells) pictures = sinks.files() / count_of(chosen);
   if (options.json) {
     nlohmann::ordered_json written;
