@@ -95,7 +95,7 @@ struct QueryMemory {
 
 /// Answers a query that refusal() accepts and whose kind is not Manifold.
 ///
-/// Convex shapes: GJK of the cores less the radii, or V-Clip of two hulls that are apart; where the cores overlap and the depth matters,
+/// Convex shapes: GJK of the cores less the radii, or V-Clip of two separated hulls; where the cores overlap and the depth matters,
 /// the query's penetration method. Convex shape and plane: the farthest point along the plane's
 /// normal. Convex shape and mesh: contacts of the mesh's triangles, which are a surface, so a shape
 /// wholly inside a closed mesh does not touch it. Two meshes: triangles that share a point; if

@@ -6,7 +6,7 @@
 namespace contactscope {
 namespace {
 
-/// What a test of two features says: they are closest, their hulls overlap, or a feature changed.
+/// The result of comparing two features: they are closest, their hulls overlap, or one changed.
 enum class Verdict { Closest, Overlap, Moved };
 
 /// One hull, and the other's pose in its frame.
@@ -198,7 +198,7 @@ Verdict test_edge_face(const View<S>& view, HullFeature& edge, HullFeature& face
              {FeatureKind::Edge, side});
   }
   if (part.is_excluded || part.low > part.high) {
-    // Beside the face: its border is as close.
+    // Outside of the prism over the face, whose border is as close.
     S least = std::numeric_limits<S>::infinity();
     const int old = face.index;
     for (const int side : hull.around_face(old)) {

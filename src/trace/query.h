@@ -56,7 +56,7 @@ struct TestedAxis {
   friend bool operator==(const TestedAxis&, const TestedAxis&) = default;
 };
 
-/// Whether the bounds are farther apart along `axis` than along `than`. Along a cross product of
+/// Whether the gap of the bounds is larger along `axis` than along `than`. Along a cross product of
 /// edges they must be farther by 16 `epsilon` of both reaches: it can be the normal of a face again.
 template <class Axis> bool separates_more(const Axis& axis, const Axis& than, double epsilon) {
   const bool may_be_the_same = axis.is_of_edges() && !than.is_of_edges();

@@ -33,6 +33,7 @@ TEST(FigureOptions, MistakesNameTheOptionAndTheRemedy) {
   fails("--camera 1,2,3", "--camera=4,2,4,0,0,0,30");
   fails("--orthographic=tall", "--orthographic=1.5");
   fails("--words de", "--words 'de': there is no such file");
+  fails("--words src", "src: this is a folder");
   fails("--font README.md", "this is not a TrueType font");
 }
 

@@ -88,7 +88,8 @@ TEST(FindVerb, CausesOfLintAreFoundWhereTheyWereSeeded) {
   const auto frames = [&](const std::string& condition) {
     const ProgramRun found = run("find '" + file + "' '" + condition + "' --json");
     std::vector<int> frames;
-    for (const auto& one : nlohmann::json::parse(found.out)["found"]) {
+    const auto json = nlohmann::json::parse(found.out);
+    for (const auto& one : json["found"]) {
       EXPECT_EQ(one["a"].get<std::string>() + one["b"].get<std::string>(), "groundcrate")
           << found.out;
       frames.push_back(one["frame"]);

@@ -166,7 +166,7 @@ TEST(Render, WhereMarksThePairsOfAHeapAndKeepsTheOthers) {
 /// The overlaps of another pair are the largest.
 TEST(Render, TheWorstIsThePairAndTheFrameThatLintNamesFirst) {
   const TemporaryFolder folder;
-  std::ifstream in("scenarios/heap/bullet_twenty.jsonl");
+  std::ifstream in(CONTACTSCOPE_SOURCE_DIR "/scenarios/heap/bullet_twenty.jsonl");
   std::string text, line;
   while (std::getline(in, line)) {
     nlohmann::ordered_json frame = nlohmann::ordered_json::parse(line);

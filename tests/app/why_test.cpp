@@ -77,7 +77,7 @@ TEST(Why, NamesTheRuleOfEachKeptPointAndItsMargin) {
 TEST(Why, ExplainsQueriesMeshesAndOtherEngines) {
   EXPECT_THAT(run("why query/v_clip").out, HasSubstr("V-Clip compared "));
   EXPECT_THAT(run("why mesh/one_manifold").out, HasSubstr("became one manifold"));
-  EXPECT_THAT(run("why heap/bullet_twenty.jsonl --scenarios scenarios").out,
+  EXPECT_THAT(run("why scenarios/heap/bullet_twenty.jsonl").out,
               HasSubstr("The trace has no stages of this pair"));
 }
 
@@ -87,7 +87,8 @@ TEST(Why, RefusesWhatIsNotThere) {
     EXPECT_EQ(result.exit_code, 2) << arguments;
     return result.err;
   };
-  EXPECT_THAT(refusal("hull/face_contact --pair table,creat"), HasSubstr("did you mean 'crate'"));
+  EXPECT_THAT(refusal("hull/face_contact --pair table,creat"),
+              HasSubstr("there is no shape 'creat'; there is"));
   EXPECT_THAT(refusal("hull/face_contact --frames 12 --point 40"), HasSubstr("points, from 0"));
   EXPECT_THAT(refusal("hull"), HasSubstr("one scenario"));
 }

@@ -222,7 +222,7 @@ TEST(SlowBounce, ColumnsThatFallOrStartDeepGainNoEnergy) {
     scene.dt *= std::min(1.0, std::sqrt(column.size));
     const Vec3d half_step(0, -kGravity * scene.dt / scene.settings.substeps / 2, 0);
     const auto energy = [&] {
-      // Of a body that falls, the velocity is half a step ahead of the position.
+      // The velocity of a falling body is half a step ahead of its position.
       std::vector<Body<double>> bodies = scene.world.bodies;
       double potential = 0;
       for (std::size_t k = 1; k < bodies.size(); ++k) {

@@ -118,7 +118,7 @@ TYPED_TEST(NearPoints, SlowDepthsAreWithin64RoundingsOfEveryAxis) {
   }
 }
 
-// Coordinates in a file have seven digits or fewer: those of floats, or of somebody's hand. Faces that
+// Coordinates in a file have seven digits or fewer: those of floats, or written by hand. Faces that
 // such digits bend are one face, so depths are right within 64 roundings of seven digits.
 TEST(NearPointsOfSevenDigits, SlowDepthsAreWithin64RoundingsOfTheDigits) {
   Random random(35);

@@ -14,15 +14,15 @@ namespace {
 
 using test::Random;
 
-struct HullsApart {
+struct TwoHulls {
   Hull<double> a, b;
   Pose<double> b_in_a;
   double size = 1;
 };
 
-/// Boxes and hulls of 4 to 30 points, of 0.1 mm to 10 km, anyhow or parallel, deep to far apart.
-HullsApart random_hulls(Random& random) {
-  HullsApart pair;
+/// Boxes and hulls of 4 to 30 points, of 0.1 mm to 10 km, anyhow or parallel, from deep overlap to far away.
+TwoHulls random_hulls(Random& random) {
+  TwoHulls pair;
   pair.size = random.decade(-4, 4);
   for (Hull<double>* hull : {&pair.a, &pair.b})
     *hull = random.chance(0.3) ? test::random_box(random, pair.size, 10)
@@ -34,9 +34,9 @@ HullsApart random_hulls(Random& random) {
 
 template <class S> void judge_distances(int cases, std::uint64_t seed) {
   Random random(seed);
-  int apart = 0, together = 0;
+  int separated = 0, together = 0;
   for (int i = 0; i < cases; ++i) {
-    const HullsApart pair = random_hulls(random);
+    const TwoHulls pair = random_hulls(random);
     const Hull<S> a = hull_cast<S>(pair.a), b = hull_cast<S>(pair.b);
     const Pose<S> pose = pair.b_in_a.cast<S>();
     Pose<double> rounded = pose.template cast<double>();
@@ -56,7 +56,7 @@ template <class S> void judge_distances(int cases, std::uint64_t seed) {
       ++together;
       continue;
     }
-    ++apart;
+    ++separated;
     ASSERT_NEAR(static_cast<double>(found.distance), truth, rounding) << i;
     ASSERT_NEAR(static_cast<double>((found.on_b - found.on_a).norm()), truth, rounding) << i;
     // From the result, and from anywhere else, it ends at the same distance.
@@ -67,7 +67,7 @@ template <class S> void judge_distances(int cases, std::uint64_t seed) {
     ASSERT_EQ(again.status, VClipStatus::Separated) << i;
     ASSERT_NEAR(static_cast<double>(again.distance), truth, rounding) << i;
   }
-  EXPECT_GT(apart, cases / 3);
+  EXPECT_GT(separated, cases / 3);
   EXPECT_GT(together, cases / 10);
 }
 

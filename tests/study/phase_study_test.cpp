@@ -13,7 +13,7 @@ double along_axis(const Vec3d& normal, const Mat3<double>& axes) {
 }
 
 // Without a preference the features are those of the least overlap by brute force; the poses are
-// built anew, from a matrix.
+// built again, from a matrix.
 TEST(PhaseStudy, EachCellNamesTheFeaturesOfLeastOverlap) {
   const std::vector<trace::Study> studies = study_phase({}, [](int, int, const std::string&) {});
   ASSERT_EQ(studies.size(), 1u);

@@ -115,7 +115,7 @@ std::vector<float> divide_column(const std::vector<PanelNeed>& needs, float heig
                                  float note);
 
 /// The parts of a panel except its name: the stages it needs, and its content, which an inset does
-/// not have. It is defined in the panel's file, or in panel.cpp for insets.
+/// not have. It is defined in the panel's file, or in sheet.cpp for insets.
 struct PanelDrawing {
   std::array<bool Stages::*, 3> needs{};
   std::unique_ptr<PanelContent> (*make)(const Staging&, const Frames&) = nullptr;
