@@ -184,7 +184,7 @@ Column random_column(Random& random) {
   column.scene.restitution = random.chance(0.5) ? 0 : random.uniform(0, 1);
   column.scene.friction = random.uniform(0, 1);
   column.scene.add_plane();
-  column.forms.emplace_back(0, Vec3d::Zero());
+  column.forms.push_back({0, Vec3d::Zero()});
   const int count = 1 + random.index(4);
   double top = 0, raised = 0;
   for (int i = 0; i < count; ++i) {
