@@ -70,6 +70,12 @@ Verdict follow(const ClippedEdge<S>& part, HullFeature& feature, const Growth& g
   return Verdict::Closest;
 }
 
+/// Normal of the side plane of a face at one of its half-edges, outward, with the edge's length.
+template <class S> Vec3<S> outward_of(const Hull<S>& hull, int half_edge) {
+  const Vec3<S> along = hull.target(half_edge) - hull.origin(half_edge);
+  return along.cross(at(hull.planes, at(hull.half_edges, half_edge).face).normal);
+}
+
 /// Moves `vertex` along an edge whose plane at the vertex the point is beyond.
 template <class S>
 Verdict leave_vertex(const Hull<S>& hull, const Vec3<S>& point, HullFeature& vertex) {
@@ -92,9 +98,8 @@ Verdict leave_edge(const Hull<S>& hull, const Vec3<S>& point, HullFeature& edge)
       edge = origin_of(hull, half_edge);
       return Verdict::Moved;
     }
-    const int face = at(hull.half_edges, half_edge).face;
-    if (along.cross(at(hull.planes, face).normal).dot(offset) < S(0)) {
-      edge = {FeatureKind::Face, face};
+    if (outward_of(hull, half_edge).dot(offset) < S(0)) {
+      edge = {FeatureKind::Face, at(hull.half_edges, half_edge).face};
       return Verdict::Moved;
     }
   }
@@ -140,11 +145,10 @@ Verdict clip_to_edge_region(const View<S>& view, int other_edge, HullFeature& ed
   if (verdict == Verdict::Moved) return verdict;
   ClippedEdge<S> by_faces;
   for (const int side : sides) {
-    const int face = at(hull.half_edges, side).face;
     const Vec3<S>& from = hull.origin(side);
-    const Vec3<S> outward = Vec3<S>(hull.target(side) - from).cross(at(hull.planes, face).normal);
+    const Vec3<S> outward = outward_of(hull, side);
     by_faces.cut(outward.dot(Vec3<S>(tail - from)), outward.dot(Vec3<S>(head - from)),
-                 {FeatureKind::Face, face});
+                 {FeatureKind::Face, at(hull.half_edges, side).face});
   }
   return follow(by_faces, edge, [&](S parameter, const HullFeature& face) {
     const Plane<S>& plane = at(hull.planes, face.index);
@@ -190,14 +194,8 @@ Verdict test_edge_face(const View<S>& view, HullFeature& edge, HullFeature& face
   const int twin = Hull<S>::twin(edge.index);
   const Vec3<S> tail = view.origin_of_other(edge.index), head = view.origin_of_other(twin);
   const Plane<S>& plane = at(hull.planes, face.index);
-  ClippedEdge<S> part;
-  for (const int side : hull.around_face(face.index)) {
-    const Vec3<S>& from = hull.origin(side);
-    const Vec3<S> outward = Vec3<S>(hull.target(side) - from).cross(plane.normal);
-    part.cut(-outward.dot(Vec3<S>(tail - from)), -outward.dot(Vec3<S>(head - from)),
-             {FeatureKind::Edge, side});
-  }
-  if (part.is_excluded || part.low > part.high) {
+  const ClippedSegment<S> part = clip_to_prism<S>(hull, face.index, {tail, head}, S(0));
+  if (part.empty()) {
     // Outside of the prism over the face, whose border is as close.
     S least = std::numeric_limits<S>::infinity();
     const int old = face.index;
@@ -211,13 +209,12 @@ Verdict test_edge_face(const View<S>& view, HullFeature& edge, HullFeature& face
     return Verdict::Moved;
   }
   const Vec3<S> offset = head - tail;
-  const S low = plane.distance(Vec3<S>(tail + part.low * offset));
-  const S high = plane.distance(Vec3<S>(tail + part.high * offset));
+  const S low = plane.distance(Vec3<S>(tail + part.parameters[0] * offset));
+  const S high = plane.distance(Vec3<S>(tail + part.parameters[1] * offset));
   if ((low <= S(0)) != (high <= S(0))) return Verdict::Overlap;
   const bool towards_tail = std::abs(low) <= std::abs(high);
-  const HullFeature& neighbor = towards_tail ? part.neighbor_low : part.neighbor_high;
-  if (neighbor.index >= 0)
-    face = neighbor;
+  if (const int side = part.edges[towards_tail ? 0 : 1]; side >= 0)
+    face = {FeatureKind::Edge, side};
   else
     edge = origin_of(view.other, towards_tail ? edge.index : twin);
   return Verdict::Moved;

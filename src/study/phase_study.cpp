@@ -37,8 +37,7 @@ double features_of(const Hull<double>& cube, double along, double degrees, Prefe
 /// preference = "relative" faces keep what is nearly as deep; the border remains, elsewhere.
 std::vector<trace::Study> study_phase(const StudyOptions&, const StudyProgress& progress) {
   std::vector<trace::Study> results =
-      results_of("phase", "double", "millimetres from the middle of A's face",
-                 "no other: it is the pipeline's choice",
+      results_of("phase", "double", "millimetres from the middle of A's face", "",
                  {{"features", "Which features make the contact of two cubes", "features"}},
                  trace::StudyForm::Features);
   results[0].row = "degrees of tilt";

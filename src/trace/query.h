@@ -57,7 +57,7 @@ struct TestedAxis {
 };
 
 /// Whether the gap of the bounds is larger along `axis` than along `than`. Along a cross product of
-/// edges they must be farther by 16 `epsilon` of both reaches: it can be the normal of a face again.
+/// edges it must be larger by 16 `epsilon` of both reaches: that can be the normal of a face again.
 template <class Axis> bool separates_more(const Axis& axis, const Axis& than, double epsilon) {
   const bool may_be_the_same = axis.is_of_edges() && !than.is_of_edges();
   const double reach = axis.interval_b[1] - axis.interval_a[0];

@@ -85,6 +85,11 @@ enum class StudyForm {
                   // of A, 2 a face of B, 3 two edges
 };
 
+/// Whether a study is drawn as cells.
+constexpr bool has_cells(StudyForm form) {
+  return form == StudyForm::Map || form == StudyForm::Answers || form == StudyForm::Features;
+}
+
 /// "work_precision", "curves", "map", "answers", "features".
 constexpr const char* to_string(StudyForm form) {
   constexpr const char* kNames[] = {"work_precision", "curves", "map", "answers", "features"};

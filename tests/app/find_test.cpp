@@ -87,14 +87,14 @@ TEST(FindVerb, CausesOfLintAreFoundWhereTheyWereSeeded) {
   const std::string file = folder.write("run.jsonl", text);
   const auto frames = [&](const std::string& condition) {
     const ProgramRun found = run("find '" + file + "' '" + condition + "' --json");
-    std::vector<int> frames;
+    std::vector<int> numbers;
     const auto json = nlohmann::json::parse(found.out);
     for (const auto& one : json["found"]) {
       EXPECT_EQ(one["a"].get<std::string>() + one["b"].get<std::string>(), "groundcrate")
           << found.out;
-      frames.push_back(one["frame"]);
+      numbers.push_back(one["frame"]);
     }
-    return frames;
+    return numbers;
   };
   using testing::ElementsAre;
   EXPECT_THAT(frames("lint.pairs_flicker"), ElementsAre(3, 6));

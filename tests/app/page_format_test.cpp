@@ -104,15 +104,14 @@ TEST(PageFormat, NoTextOfAScenarioIsMarkup) {
 
 // A script that the label opens would leave the page without its own.
 TEST(PageFormat, ABrowserDrawsWhateverALabelSays) {
-  if (std::system("command -v chromium > /dev/null") != 0)
-    GTEST_SKIP() << "Chromium is not installed (apt-get install chromium)";
+  if (chromium().empty()) GTEST_SKIP() << "Chromium is not installed (apt-get install chromium)";
   const TemporaryFolder folder;
   const std::string file = folder.write("nasty/idea.toml", scenario_that_says("<!--<script>"));
   ASSERT_EQ(
       run("render '" + file + "' --format html --quiet --out '" + (folder / "out") + "'").exit_code,
       0);
   const std::string command =
-      "timeout 60 chromium --headless=new --no-sandbox --disable-gpu --user-data-dir='" +
+      "timeout 60 " + chromium() + " --headless=new --no-sandbox --disable-gpu --user-data-dir='" +
       (folder / "profile") + "' --dump-dom 'file://" + (folder / "out/nasty/idea/sequence.html") +
       "' > '" + (folder / "seen.html") + "' 2> /dev/null";
   ASSERT_EQ(std::system(command.c_str()), 0);

@@ -32,6 +32,12 @@ int run_on_full_disk(const std::string& arguments) {
   return exit_code_of("", arguments, ">/dev/full 2>/dev/null");
 }
 
+std::string chromium() {
+  for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+    if (std::system((std::string("command -v ") + name + " > /dev/null").c_str()) == 0) return name;
+  return {};
+}
+
 std::string small_scenario() {
   return R"(title = "A box on a slab"
 [time]

@@ -21,6 +21,9 @@ ProgramRun run(const std::string& arguments, const std::string& environment = ""
 /// The exit code of the program if standard output cannot be written.
 int run_on_full_disk(const std::string& arguments);
 
+/// Chromium's program; empty if it is not installed.
+std::string chromium();
+
 /// A small valid scenario: a box half a centimetre deep in a slab, two frames.
 std::string small_scenario();
 

@@ -15,13 +15,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Chromium's program; empty if it is not installed.
-std::string chromium() {
-  for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-    if (std::system((std::string("command -v ") + name + " > /dev/null").c_str()) == 0) return name;
-  return {};
-}
-
 std::string output_of(const std::string& command) {
   std::string text;
   FILE* const pipe = popen(command.c_str(), "r");

@@ -39,10 +39,18 @@ TEST(PhaseStudy, EachCellNamesTheFeaturesOfLeastOverlap) {
       const double of_a = along_axis(least.normal, Mat3<double>::Identity()),
                    of_b = along_axis(least.normal, axes);
       const double found = *point.error;
-      if (found == 0) EXPECT_GT(least.separation, -1e-12);
-      if (found == 1) EXPECT_NEAR(of_a, 1, 1e-9);
-      if (found == 2) EXPECT_NEAR(of_b, 1, 1e-9);
-      if (found == 3) EXPECT_LT(std::max(of_a, of_b), 1 - 1e-9);
+      if (found == 0) {
+        EXPECT_GT(least.separation, -1e-12);
+      }
+      if (found == 1) {
+        EXPECT_NEAR(of_a, 1, 1e-9);
+      }
+      if (found == 2) {
+        EXPECT_NEAR(of_b, 1, 1e-9);
+      }
+      if (found == 3) {
+        EXPECT_LT(std::max(of_a, of_b), 1 - 1e-9);
+      }
       if (HasFailure()) FAIL() << row.panel << ", " << point.parameter << " mm, " << *row.row;
     }
   }

@@ -225,7 +225,7 @@ Drawing plot(const trace::Study& measured, int width, int height) {
   const trace::Study study = named_in_words(measured);
   if (study.form == trace::StudyForm::Curves) return plot_curves(study, width, height);
   if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);
-  if (study.form >= trace::StudyForm::Answers) return plot_answers(study, width, height);
+  if (trace::has_cells(study.form)) return plot_answers(study, width, height);
 
   const bool in_panels = trace::has_panels(study);
   std::vector<std::pair<ErrorKind, std::string>> parts;  // error kind and panel

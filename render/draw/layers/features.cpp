@@ -126,7 +126,7 @@ void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       const Vec3d middle = mean_of(corners);
       if (before && middle == *before) continue;
       if (before) sketch.line(*before, middle, {2, kDropped});
-      sketch.mark(MarkKind::Node, middle, kDropped);
+      if (k < shown) sketch.mark(MarkKind::Node, middle, kDropped);
       before = middle;
     }
     if (corners.size() == 1) sketch.mark(MarkKind::WideRing, corners[0], kIncidentFace);

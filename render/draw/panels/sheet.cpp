@@ -1,4 +1,3 @@
-
 #include "draw/panels/panel.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/quantity.h"

@@ -1,4 +1,3 @@
-
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"

@@ -109,23 +109,27 @@ void keep_where(Sequence& sequence, Input& input, std::vector<View>& views,
   std::ranges::for_each(sequence.frames, sequence.trim);
 }
 
+std::function<bool(const trace::Pair&)> chosen_pair(const trace::Header& header,
+                                                    const Options& options) {
+  if (options.pair.empty()) return [](const trace::Pair&) { return true; };
+  if (options.pair.size() != 2) throw UsageError("--pair names two shapes, as --pair=crate,floor");
+  for (const std::string& name : options.pair)
+    require_shape(names_in(header.shapes), "--pair", name);
+  return [two = options.pair](const trace::Pair& pair) {
+    return (pair.a == two[0] && pair.b == two[1]) || (pair.a == two[1] && pair.b == two[0]);
+  };
+}
+
 void narrow(Sequence& sequence, const Options& options) {
   if (!word_in_focus(options))
     for (const std::string& name : options.focus)
       require_shape(names_in(sequence.header.shapes), "--focus", name);
   if (options.pair.empty() && options.shapes.empty()) return;
-  if (!options.pair.empty() && options.pair.size() != 2)
-    throw UsageError("--pair names two shapes, as --pair=crate,floor");
+  const auto is_pair = chosen_pair(sequence.header, options);
   std::set<std::string> shown(options.shapes.begin(), options.shapes.end());
   for (const std::string& name : shown)
     require_shape(names_in(sequence.header.shapes), "--shapes", name);
-  for (const std::string& name : options.pair)
-    require_shape(names_in(sequence.header.shapes), "--pair", name);
   shown.insert(options.pair.begin(), options.pair.end());
-  const auto is_pair = [two = options.pair](const trace::Pair& pair) {
-    return two.empty() || (pair.a == two[0] && pair.b == two[1]) ||
-           (pair.a == two[1] && pair.b == two[0]);
-  };
   sequence.trim = [shown, is_pair](trace::Frame& frame) {
     std::erase_if(frame.poses,
                   [&](const trace::Placement& one) { return !shown.contains(one.first); });

@@ -13,6 +13,11 @@ void narrow(Sequence& sequence, const Options& options);
 void require_shape(const std::vector<std::string_view>& names, const std::string& option,
                    const std::string& name);
 
+/// Whether a pair is that of --pair, in either order; without the option every pair is. Throws
+/// UsageError unless it names two shapes of the header.
+std::function<bool(const trace::Pair&)> chosen_pair(const trace::Header& header,
+                                                    const Options& options);
+
 /// The condition in the text of an option or argument. Throws UsageError.
 find::Expression condition_of(const std::string& option, const std::string& text,
                               const find::Vocabulary& words = find::vocabulary());

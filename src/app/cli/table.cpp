@@ -186,7 +186,7 @@ void print(const Table& table, std::ostream& out) {
 
 void print_tables(const std::vector<trace::Study>& results, std::ostream& out) {
   for (const trace::Study& result : results) {
-    if (result.form >= trace::StudyForm::Map) {
+    if (trace::has_cells(result.form)) {
       print_map(result, out);
       continue;
     }

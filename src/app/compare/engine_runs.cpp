@@ -88,8 +88,9 @@ versus::EngineRun run_engine(const std::string& name, const std::string& program
   return engine_run;
 }
 
-trace::Trace run_frames(const Scenario& scenario, const std::vector<int>& frames) {
-  Runner runner(scenario, trace::Stages::none());
+trace::Trace run_frames(const Scenario& scenario, const std::vector<int>& frames,
+                        const trace::Stages& stages) {
+  Runner runner(scenario, stages);
   trace::Trace whole{runner.header(), {}};
   for (const int frame : frames) {
     stop_if_interrupted();

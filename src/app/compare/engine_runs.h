@@ -28,8 +28,9 @@ versus::EngineRun run_engine(const std::string& name, const std::string& program
                              const std::string& question, const trace::Trace& request,
                              double limit);
 
-/// This program's results for some frames of a scenario.
-trace::Trace run_frames(const Scenario& scenario, const std::vector<int>& frames);
+/// This program's results for some frames of a scenario, with these stages.
+trace::Trace run_frames(const Scenario& scenario, const std::vector<int>& frames,
+                        const trace::Stages& stages = trace::Stages::none());
 
 /// Prints the first lines of an engine's error output.
 void print_words(const versus::EngineRun& engine_run, std::ostream& out);

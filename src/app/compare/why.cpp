@@ -6,7 +6,6 @@
 #include "app/compare/engine_runs.h"
 #include "core/at.h"
 #include "draw/scene/pairs.h"
-#include "scenario/run.h"
 
 namespace contactscope::app {
 namespace {
@@ -248,32 +247,19 @@ trace::Trace frames_of(const Options& options) {
   if (scenarios.size() != 1) throw UsageError("why takes one scenario or trace");
   trace::Stages stages;
   stages.decisions = true;
-  Runner runner(scenarios.front(), stages);
-  trace::Trace run{runner.header(), {}};
-  for (const int frame : options.selected(scenarios.front().frames))
-    run.frames.push_back(runner.frame(frame));
-  return run;
-}
-
-bool is_wanted(const trace::Pair& pair, const std::vector<std::string>& names) {
-  return names.empty() || (pair.a == names[0] && pair.b == names[1]) ||
-         (pair.a == names[1] && pair.b == names[0]);
+  return run_frames(scenarios.front(), options.selected(scenarios.front().frames), stages);
 }
 
 ExitCode run_why(const Options& options) {
   const trace::Trace run = frames_of(options);
-  std::vector<std::string_view> shapes;
-  for (const trace::Shape& shape : run.header.shapes) shapes.push_back(shape.name);
-  if (!options.pair.empty() && options.pair.size() != 2)
-    throw UsageError("--pair takes two shapes, as crate,floor");
-  for (const std::string& name : options.pair) require_shape(shapes, "--pair", name);
+  const auto is_chosen = chosen_pair(run.header, options);
   const trace::Frame* frame = nullptr;
   const trace::Pair* pair = nullptr;
   // The first frame in which the pair touches, else the first in which it is.
   for (const bool touches : {true, false})
     for (const trace::Frame& one : run.frames)
       for (const trace::Pair& each : one.pairs)
-        if (pair == nullptr && is_wanted(each, options.pair) &&
+        if (pair == nullptr && is_chosen(each) &&
             (!options.frames || options.frames->names(one.frame)) &&
             (!touches || !each.manifolds.empty()))
           frame = &one, pair = &each;
