@@ -14,6 +14,8 @@ template <class S> struct SolverBody {
   Body<S> body;                                     // `center` is that at the beginning of the step
   Vec3<S> moved = Vec3<S>::Zero();                  // of the centre since then, metres
   Mat3<S> inverse_inertia_world = Mat3<S>::Zero();  // at the current rotation
+  Vec3<S> velocity_began = Vec3<S>::Zero();         // when the sub-step began; note_approach()
+  Vec3<S> spin_began = Vec3<S>::Zero();             // the same, radians per second
   bool stirred = false;                             // by a bounce in this sub-step
 
   /// Updates the world inertia to the current rotation.
@@ -65,8 +67,9 @@ template <class S> struct ConstraintPoint {
   S bounce = 0;  // separating velocity, m/s, or limit of the closing one (< 0); see bounce()
   S position_target = 0;  // separation that position correction leaves, metres
 
-  S normal_impulse = 0;  // of this sub-step, never negative
-  S friction_u = 0;      // along the tangents
+  S normal_impulse = 0;   // of this sub-step, never negative
+  S stopped_impulse = 0;  // the same before the bounce
+  S friction_u = 0;       // along the tangents
   S friction_v = 0;
   S position_impulse = 0;  // kg m, by the position correction of this sub-step
 

@@ -104,7 +104,8 @@ Change random_encounter(Random& random, const SolverSettings& settings, double r
   }
   const Motion after = motion_of(scene.world.bodies, forms);
   change.linear = (after.linear - before.linear).norm() / before.linear_scale;
-  change.angular = (after.angular - before.angular).norm() / before.angular_scale;
+  change.angular =
+      (after.angular - before.angular).norm() / std::max(before.angular_scale, after.angular_scale);
   change.gained = after.energy / before.energy - 1;
   for (int i = 0; i < 2; ++i)
     if (forms[static_cast<std::size_t>(i)].is_ball)
@@ -129,7 +130,7 @@ template <class S> void expect_momenta_kept(int count, double tolerance) {
     ASSERT_LE(change.angular, tolerance) << i;
     // Projection turns spinning bodies, which preserves angular momentum but not energy.
     const bool projects = settings.position_correction == PositionCorrection::Projection;
-    EXPECT_LE(change.gained, projects ? 0.2 : 0.03) << i;
+    EXPECT_LE(change.gained, projects ? 0.2 : 0.01) << i;
     if (friction == 0) {
       ASSERT_LE(change.spin, tolerance) << i;
     }
@@ -139,7 +140,7 @@ template <class S> void expect_momenta_kept(int count, double tolerance) {
 
 TEST(SlowBounce, RandomBallsAndBoxesKeepBothMomentaAndNoFrictionlessBallSpins) {
   expect_momenta_kept<double>(cases(1000), 1e-9);
-  expect_momenta_kept<float>(cases(250), 1e-3);
+  expect_momenta_kept<float>(cases(250), 1e-4);
 }
 
 // Off-centre and elastic, with every sub-step in which they could meet.
