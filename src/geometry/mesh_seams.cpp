@@ -224,9 +224,11 @@ std::vector<SurfaceEdge> edges_of_wide_triangles(const Mesh<S>& mesh,
                                                  std::vector<TriangleEdge>& edges) {
   const double seam = widest_seam(mesh, edges);
   std::erase_if(edges, [&](const TriangleEdge& edge) {
-    const Vec3d along = edge_of(mesh, edge).along;
-    const Vec3d next = edge_of(mesh, {edge.triangle, edge.edge + 1}).along;
-    return !has_area(mesh, edge.triangle) || !(along.cross(next).norm() > 2 * seam * along.norm());
+    if (!has_area(mesh, edge.triangle)) return true;
+    const int longest = longest_edge(mesh, edge.triangle);
+    const Vec3d along = edge_of(mesh, {edge.triangle, longest}).along;
+    const Vec3d next = edge_of(mesh, {edge.triangle, longest + 1}).along;
+    return !(along.cross(next).norm() > 2 * seam * along.norm());
   });
   return mapped(edges, [&](const TriangleEdge& edge) { return edge_of(mesh, edge); });
 }
