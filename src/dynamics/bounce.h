@@ -64,13 +64,14 @@ struct BounceEnergy {
   double began = 0, stopped = 0, bounced = 0;
   double of_change = 0;  // at the differences between the last two velocities
 
-  /// Share of the bounce that adds no energy to that of the beginning.
+  /// Share of the bounce that adds no energy to that of the beginning, or to that of a spring's push.
   double share(double epsilon) const {
-    if (!(bounced > began * (1 + 64 * epsilon))) return 1;
-    const double lost = began - stopped, linear = bounced - stopped - of_change;
-    if (!(lost > 0)) return 0;
-    // The root of of_change t^2 + linear t = lost.
-    return 2 * lost / (linear + std::sqrt(linear * linear + 4 * of_change * lost));
+    const double lost = std::max(began - stopped, 0.0);
+    if (!(bounced > (stopped + lost) * (1 + 64 * epsilon))) return 1;
+    const double linear = bounced - stopped - of_change;
+    // The larger root of of_change t^2 + linear t = lost.
+    const double root = std::sqrt(linear * linear + 4 * of_change * lost);
+    return linear > 0 ? 2 * lost / (linear + root) : (root - linear) / (2 * of_change);
   }
 };
 

@@ -14,11 +14,11 @@ template <class S> std::vector<SolverBody<S>> solver_bodies(const std::vector<Bo
   return moving;
 }
 
-/// Push speed of soft contacts, m/s: a fifth of the speed after a fall from half of the smallest
+/// Push speed of soft contacts, m/s: a quarter of the speed after a fall from half of the smallest
 /// edge. The error of the sweeps, up to a third of it, is then less than a hundredth of the energy
 /// of that body. Without gravity there is no such measure.
 template <class S> double soft_push_speed(double gravity, const std::vector<Body<S>>& bodies) {
-  return gravity > 0 ? 0.2 * std::sqrt(gravity * smallest_edge(bodies))
+  return gravity > 0 ? 0.25 * std::sqrt(gravity * smallest_edge(bodies))
                      : std::numeric_limits<double>::infinity();
 }
 

@@ -105,6 +105,28 @@ TEST_F(Rollout, RequestHasMassesSurfacesAndScripts) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
+/// All three numbers of a position, although a compiler may vectorize two of them.
+TEST_F(Rollout, PosesOfAFloatScenarioAreFloats) {
+  const std::string heard = folder_ / "heard.jsonl";
+  engine("ear", "cat > '" + heard + "'; exit 3");
+  std::string text = crate_on_ground(0);
+  text.replace(text.find("\"double\""), 8, "\"float\"");
+  text.replace(text.find("velocity = [1, 0, 0]"), 20, "velocity = [1, 0.7, 0.3]");
+  const std::string crate = folder_.write("tests/floats.toml", text);
+  EXPECT_EQ(rollout("--json --engines ear,contactscope '" + crate + "'").exit_code, 0);
+  std::istringstream lines(read_text(heard));
+  std::string line;
+  int numbers = 0;
+  for (std::getline(lines, line); std::getline(lines, line);) {
+    const Json frame = Json::parse(line);
+    for (const double number : frame["poses"]["lid"]["position"]) {
+      EXPECT_EQ(number, static_cast<double>(static_cast<float>(number))) << line;
+      ++numbers;
+    }
+  }
+  EXPECT_EQ(numbers, 3 * 40);
+}
+
 /// The ground of this engine is 4 m lower.
 TEST_F(Rollout, AnEngineInWhichTheCrateFalls) {
   const std::string falling = folder_.write("tests/falling.toml", crate_on_ground(-4));

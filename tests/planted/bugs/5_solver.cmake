@@ -1,5 +1,5 @@
 # The solver.
-planted_bug(restitution_from_one_metre_a_second FILE src/dynamics/solve_velocities.h TESTS dynamics
+planted_bug(restitution_from_one_metre_a_second FILE src/dynamics/bounce.h TESTS dynamics
   WAS [[const S threshold = static_cast<S>(kRestitutionThreshold) * gravity.norm() * h;]]
   IS [[const S threshold = @BUG@ ? S(1) : static_cast<S>(kRestitutionThreshold) * gravity.norm() * h;]])
 planted_bug(friction_twice_as_much FILE src/dynamics/solve_velocities.h TESTS dynamics
@@ -29,7 +29,7 @@ planted_bug(pyramid_of_friction FILE src/dynamics/solve_velocities.h TESTS dynam
 planted_bug(points_apart_may_not_close FILE src/dynamics/solve_velocities.h TESTS dynamics
   WAS [[if (point.separation > 0) return {point.separation / h, S(1), S(0)};]]
   IS [[if (point.separation > 0) return {@BUG@ ? S(0) : point.separation / h, S(1), S(0)};]])
-planted_bug(gravity_bounces_too FILE src/dynamics/solve_velocities.h TESTS dynamics
+planted_bug(gravity_bounces_too FILE src/dynamics/bounce.h TESTS dynamics
   WAS [[return std::sqrt(squared) - half_step;]]
   IS [[return std::sqrt(squared) - (@BUG@ ? S(0) : half_step);]])
 planted_bug(arms_stay_behind FILE src/dynamics/solver.cpp TESTS dynamics
