@@ -64,14 +64,15 @@ struct BounceEnergy {
   double began = 0, stopped = 0, bounced = 0;
   double of_change = 0;  // at the differences between the last two velocities
 
-  /// Share of the bounce that adds no energy to that of the beginning, or to that of a spring's push.
+  /// Share of the bounce that adds no energy to that of the beginning. If the velocities of the stop
+  /// push overlaps apart, with more energy, it is all or nothing.
   double share(double epsilon) const {
-    const double lost = std::max(began - stopped, 0.0);
-    if (!(bounced > (stopped + lost) * (1 + 64 * epsilon))) return 1;
+    const double lost = began - stopped;
+    if (lost < 0) return bounced > 1.001 * began ? 0 : 1;
+    if (!(bounced > began * (1 + 64 * epsilon))) return 1;
     const double linear = bounced - stopped - of_change;
-    // The larger root of of_change t^2 + linear t = lost.
-    const double root = std::sqrt(linear * linear + 4 * of_change * lost);
-    return linear > 0 ? 2 * lost / (linear + root) : (root - linear) / (2 * of_change);
+    // The root of of_change t^2 + linear t = lost.
+    return 2 * lost / (linear + std::sqrt(linear * linear + 4 * of_change * lost));
   }
 };
 
@@ -113,9 +114,11 @@ void limit_bounces(std::span<SolverBody<S>> bodies, std::vector<ContactConstrain
   for (ContactConstraint<S>& contact : contacts) {
     const S share = share_of(at(bodies, contact.a).body.dynamic() ? contact.a : contact.b);
     if (share == 1) continue;
-    for (ConstraintPoint<S>& point : contact.points)
+    for (ConstraintPoint<S>& point : contact.points) {
       point.normal_impulse =
           point.stopped_impulse + share * (point.normal_impulse - point.stopped_impulse);
+      if (share == 0) point.bounce = 0;
+    }
   }
 }
 

@@ -15,6 +15,7 @@ struct HullFeature {
   FeatureKind kind = FeatureKind::Vertex;
   int index = -1;
 
+  bool operator==(const HullFeature&) const = default;
   FeatureRef ref(Owner owner) const {
     return {owner, kind, static_cast<std::uint32_t>(kind == FeatureKind::Edge ? index / 2 : index)};
   }

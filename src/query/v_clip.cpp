@@ -286,12 +286,25 @@ VClipResult<S> v_clip(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
   result.features =
       start ? *start : ComparedFeatures{{FeatureKind::Vertex, 0}, {FeatureKind::Vertex, 0}};
   const int most = 4 * (a.edge_count() + b.edge_count()) + 64;
+  ComparedFeatures seen = result.features;
+  int next_kept = 1;
   for (; result.steps < most; ++result.steps) {
     if (walk) walk->push_back(result.features);
     const Verdict verdict = test(from_a, from_b, result.features);
-    if (verdict == Verdict::Moved) continue;
-    result.status = verdict == Verdict::Overlap ? VClipStatus::Overlap : VClipStatus::Separated;
-    break;
+    if (verdict != Verdict::Moved) {
+      result.status = verdict == Verdict::Overlap ? VClipStatus::Overlap : VClipStatus::Separated;
+      break;
+    }
+    // The distance never grows. A walk in a circle is over: rounding decides between features that
+    // are as close, such as parallel edges and their ends. (Brent 1980 finds circles.)
+    if (result.features == seen) {
+      result.status = VClipStatus::Separated;
+      break;
+    }
+    if (result.steps + 1 == next_kept) {
+      seen = result.features;
+      next_kept *= 2;
+    }
   }
   if (result.status != VClipStatus::Overlap) measure(from_a, from_b, result);
   return result;

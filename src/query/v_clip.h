@@ -10,6 +10,8 @@ namespace contactscope {
 /// A feature of each hull.
 struct ComparedFeatures {
   HullFeature a, b;
+
+  bool operator==(const ComparedFeatures&) const = default;
 };
 
 enum class VClipStatus { Separated, Overlap, OutOfSteps };
