@@ -41,7 +41,7 @@ Sketch sketched(const Staging& staging, const Scene& scene, bool legend_alone) {
   if (!legend_alone) sketch.center = center_of_contact(scene);
   std::vector<std::pair<Layer, const LayerDrawing*>> layers;  // in drawing order
   for (std::size_t i = 0; i < staging.layers->size(); ++i) {
-    if (!staging.view.shows(static_cast<Layer>(i))) continue;
+    if (!scene.shows(static_cast<Layer>(i))) continue;
     const LayerDrawing* layer = (*staging.layers)[i];
     if (layer->explain != nullptr) layer->explain(scene, sketch.legend);
     if (!legend_alone || layer->explain == nullptr)
@@ -174,8 +174,9 @@ std::list<Shot> shots_of(const Staging& staging, const trace::Frame& frame) {
     Shot& shot = shots.emplace_back(Shot{&viewport, staging.layout, part_of(frame, viewport)});
     shot.layout.framed = true;
     shot.layout.view = inside_of(viewport, staging.layout);
-    shot.scene.emplace(Scene{staging.view, *staging.header, *shot.part, staging.meshes,
-                             *viewport.camera, staging.scales, staging.sequence.get()});
+    shot.scene.emplace(Scene{viewport.view ? *viewport.view : staging.view, *staging.header,
+                             *shot.part, staging.meshes, *viewport.camera, staging.scales,
+                             staging.sequence.get()});
   }
   return shots;
 }

@@ -177,7 +177,8 @@ void draw_shape_names(const Scene& scene, Sketch& sketch) {
   const auto is_one_of_several = [&](const Named& each) {
     const auto is_alike = [&](const auto& name) { return kind_in_words(name) == each.words; };
     const auto placed = [](const PlacedShape& shape) { return shape.traced().name; };
-    return !scene.view.side_by_side && std::ranges::count_if(scene.shapes, is_alike, placed) == 1 &&
+    return scene.view.layout != ViewLayout::SideBySide &&
+           std::ranges::count_if(scene.shapes, is_alike, placed) == 1 &&
            std::ranges::count_if(scene.header.shapes, is_alike, &trace::Shape::name) > 1;
   };
   for (const Named& each : named) {

@@ -357,17 +357,25 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   }
   // The size of pair views follows from the stored frames, not from the frames between.
   std::vector<trace::Frame> shown;
-  if (view.side_by_side)
+  if (view.layout == ViewLayout::SideBySide)
     std::ranges::copy_if(frames, std::back_inserter(shown), [&](const trace::Frame& frame) {
       return std::ranges::find(stored, frame.frame) != stored.end();
     });
   const auto fit = [&] {
-    if (view.side_by_side) {
+    if (view.layout == ViewLayout::SideBySide) {
       staging.viewports = split_view(frames, staging.layout);
       fit_viewports(header, shown.empty() ? frames : shown, extent, staging);
-      if (!staging.viewports.empty()) staging.camera = *staging.viewports.front().camera;
+    } else if (view.layout == ViewLayout::Stages) {
+      staging.viewports = split_stages(view, staging.layout);
+      for (PairViewport& viewport : staging.viewports)
+        viewport.camera = camera_in(inside_of(viewport, staging.layout));
     }
-    staging.scales = fit_scales(staging.meshes, frames, staging.camera, staging.layout, view,
+    Layout layout_of_one = staging.layout;
+    if (!staging.viewports.empty()) {
+      staging.camera = *staging.viewports.front().camera;
+      if (view.layout == ViewLayout::Stages) layout_of_one.view = staging.camera.viewport();
+    }
+    staging.scales = fit_scales(staging.meshes, frames, staging.camera, layout_of_one, view,
                                 [&](const trace::Pair& pair) -> const Camera* {
                                   const auto own = std::ranges::find_if(
                                       staging.viewports, [&](const PairViewport& viewport) {

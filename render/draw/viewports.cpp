@@ -5,6 +5,7 @@
 #include "draw/scene/pen.h"
 #include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
+#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
@@ -69,6 +70,49 @@ void measure_within(const Camera& near, Sketch& sketch) {
   other.to = other.from;  // zero length: not drawn
 }
 
+/// A part of the view for each of several viewports, in rows.
+Rect cell_of(std::size_t i, std::size_t count, const Layout& layout) {
+  const double gap = layout.px(kViewportGap);
+  std::size_t columns = count;
+  double best = 1e300;
+  for (std::size_t wide = 1; wide <= count; ++wide) {
+    const std::size_t high = (count + wide - 1) / wide;
+    const double width = layout.view.width / static_cast<double>(wide);
+    const double height = layout.view.height / static_cast<double>(high);
+    const double off = std::abs(std::log(width / height / kWantedAspect)) +
+                       0.3 * static_cast<double>(wide * high - count);
+    if (off >= best) continue;
+    best = off;
+    columns = wide;
+  }
+  const std::size_t rows = (count + columns - 1) / columns;
+  return layout.view.cell(i, columns, rows, gap, gap);
+}
+
+/// The name of a stage, and its result in this frame.
+std::string stage_heading(Layer layer, const trace::Frame& frame) {
+  std::size_t touching = 0, points = 0;
+  for (const trace::Pair& pair : frame.pairs) {
+    touching += !pair.manifolds.empty();
+    points += all_points(pair).size();
+  }
+  const std::size_t shapes = frame.poses.size();
+  switch (layer) {
+    case Layer::Bounds:
+      return "bounds: a box around each shape";
+    case Layer::CandidatePairs:
+      return "candidates: the boxes of " + std::to_string(frame.pairs.size()) + " of " +
+             std::to_string(shapes * (shapes - 1) / 2) + " pairs overlap";
+    case Layer::Contacts:
+      return "contacts: " + counted(touching, "pair touches", "pairs touch") + " at " +
+             counted(points, "point", "points");
+    case Layer::Impulses:
+      return "solver: an impulse at each point";
+    default:
+      return in_words(std::string(name_of(layer)));
+  }
+}
+
 }  // namespace
 
 bool shows_pair(const PairViewport& viewport, const trace::Pair& pair) {
@@ -84,24 +128,30 @@ std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames,
   if (!std::ranges::all_of(pairs, has_no_label)) std::erase_if(pairs, has_no_label);
   const std::size_t count = pairs.size();
   if (count < 2 || count > kMaxViewports) return {};
-  const double gap = layout.px(kViewportGap);
-  std::size_t columns = count;
-  double best = 1e300;
-  for (std::size_t wide = 1; wide <= count; ++wide) {
-    const std::size_t high = (count + wide - 1) / wide;
-    const double width = layout.view.width / static_cast<double>(wide);
-    const double height = layout.view.height / static_cast<double>(high);
-    const double off = std::abs(std::log(width / height / kWantedAspect)) +
-                       0.3 * static_cast<double>(wide * high - count);
-    if (off >= best) continue;
-    best = off;
-    columns = wide;
-  }
-  const std::size_t rows = (count + columns - 1) / columns;
   std::vector<PairViewport> viewports;
   for (std::size_t i = 0; i < count; ++i)
-    viewports.push_back({pairs[i]->a, pairs[i]->b, pairs[i]->label,
-                         layout.view.cell(i, columns, rows, gap, gap), pair_name(*pairs[i])});
+    viewports.push_back({pairs[i]->a, pairs[i]->b, pairs[i]->label, cell_of(i, count, layout),
+                         pair_name(*pairs[i])});
+  return viewports;
+}
+
+std::vector<PairViewport> split_stages(const View& view, const Layout& layout) {
+  std::vector<Layer> stages;  // in drawing order
+  for (std::size_t i = 0; i < kLayerNames.size(); ++i) {
+    const Layer layer = static_cast<Layer>(i);
+    if (layer != Layer::Shapes && view.shows(layer)) stages.push_back(layer);
+  }
+  if (stages.size() < 2 || stages.size() > kMaxViewports) return {};
+  std::vector<PairViewport> viewports;
+  for (const Layer layer : stages) {
+    View own = view;
+    own.layers = {layer};
+    if (view.shows(Layer::Shapes)) own.layers.insert(own.layers.begin(), Layer::Shapes);
+    PairViewport& viewport = viewports.emplace_back();
+    viewport.frame = cell_of(viewports.size() - 1, stages.size(), layout);
+    viewport.heading = std::to_string(viewports.size()) + "  ";
+    viewport.view = std::move(own);
+  }
   return viewports;
 }
 
@@ -115,6 +165,7 @@ trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport) {
   const auto has = [&](const std::string& name) {
     return name == viewport.a || name == viewport.b;
   };
+  if (viewport.view) return frame;
   trace::Frame part;
   part.frame = frame.frame;
   part.time = frame.time;
@@ -145,9 +196,15 @@ void draw_viewport_frame(const PairViewport& viewport, const trace::Frame& frame
   const Pen pen(drawing, layout.scale, kViewportHeading);
   pen.frame(viewport.frame, 1, with_alpha(kQuietText, 0.5f));
   const float padding = pen.px(8), size = pen.px(kViewportHeading);
-  const Said heading =
-      pen.fitted(answers ? label_with_answer(*pair) : viewport.heading, Weight::Bold,
-                 static_cast<float>(viewport.frame.width) - 2 * padding, kViewportHeading);
+  const std::string number = viewport.view ? viewport.heading : "";
+  Said heading = pen.fitted(answers         ? label_with_answer(*pair)
+                            : viewport.view ? stage_heading(viewport.view->layers.back(), frame)
+                                            : viewport.heading,
+                            Weight::Bold,
+                            static_cast<float>(viewport.frame.width) - 2 * padding -
+                                text_width(number, size, Weight::Bold),
+                            kViewportHeading);
+  heading.text = number + heading.text;
   pen.text(heading,
            pixel(viewport.frame.x + padding, viewport.frame.y + 0.5 * padding + 0.9 * size),
            Align::Left, kText, Weight::Bold);

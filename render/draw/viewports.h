@@ -19,10 +19,14 @@ struct PairViewport {
   Rect frame;               // on the canvas, including the heading
   std::string heading;
   std::optional<Camera> camera{};  // after fitting
+  std::optional<View> view{};      // of a stage, which has no pair: the shapes and its layer
 };
 
 /// Divides the view among the pairs of a sequence; empty for fewer than two or for too many pairs.
 std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames, const Layout& layout);
+
+/// Divides the view among its layers but the shapes; empty for fewer than two.
+std::vector<PairViewport> split_stages(const View& view, const Layout& layout);
 
 /// The area below the heading.
 Rect inside_of(const PairViewport& viewport, const Layout& layout);
@@ -30,10 +34,12 @@ Rect inside_of(const PairViewport& viewport, const Layout& layout);
 /// Whether the viewport belongs to this pair.
 bool shows_pair(const PairViewport& viewport, const trace::Pair& pair);
 
-/// The part of a frame that a viewport shows: two shapes and their pair, without its label.
+/// The part of a frame that a viewport shows: two shapes and their pair, without its label; of a
+/// stage all.
 trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport);
 
-/// Draws border and heading; queries of bounds add their answer in this frame.
+/// Draws border and heading; queries of bounds add their answer in this frame,
+/// and stages what they pass on.
 void draw_viewport_frame(const PairViewport& viewport, const trace::Frame& frame,
                          const Layout& layout, Drawing& drawing);
 

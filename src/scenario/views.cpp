@@ -88,7 +88,7 @@ View read_view(const Value& value) {
   table.read("orthographic_height", view.orthographic_height);
   table.read("impulse_scale", view.impulse_scale, read_impulse_scale);
   table.read("focus", view.focus);
-  table.read("layout", view.side_by_side, &Value::word);
+  table.read("layout", view.layout);
   table.read("inset", view.inset);
   table.read("story", view.story);
   table.read("layers", view.layers,

@@ -1,5 +1,6 @@
 #include "manifold/collide_pairs.h"
 #include "query/sat.h"
+#include "study/depth_peer.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 
@@ -93,6 +94,42 @@ void judge_all(const Method& method, const HullCases& cases, Measurement& measur
   }
 }
 
+/// Bullet's separating axis test, as a line of its own if its program is found.
+void add_peer(const StudyOptions& options, const StudyGrid& grid,
+              const std::vector<HullCases>& cases, std::vector<trace::Study>& results) {
+  std::vector<trace::StudyPoint> points;
+  for (std::size_t p = 0; p < cases.size(); ++p) {
+    const auto peers = run_depth_peers(options.peer_folders, cases[p].exact, grid.repetitions);
+    const auto bullet = std::ranges::find(peers, "Bullet, SAT", &DepthPeer::name);
+    if (bullet == peers.end()) return;
+    Measurement measured(1, grid.cases);
+    for (const double time : bullet->nanoseconds) measured.times.add(time);
+    for (std::size_t i = 0; i < bullet->found.size(); ++i) {
+      const OverlappingHulls& exact = cases[p].exact[i];
+      if (bullet->found[i].depth < 0)
+        ++measured.failed;
+      else
+        measured.errors[0].add(std::abs(bullet->found[i].depth + exact.deepest.separation) /
+                               exact.size);
+    }
+    points.push_back(measured.point(grid.parameters[p], 0));
+  }
+  results[0].series.push_back({"Bullet, SAT", std::move(points)});
+}
+
+/// The times of a study as its errors, in microseconds.
+trace::Study times_of(trace::Study study) {
+  study.measure = "time";
+  study.title = "Time of a contact of two hulls, by their vertices";
+  study.error = "least time of a call";
+  study.unit = "µs";
+  study.form = trace::StudyForm::Curves;
+  record::each_point(study, [](trace::StudyPoint& point) {
+    point.error_worst = point.error = point.nanoseconds.min / 1000;
+  });
+  return study;
+}
+
 }  // namespace
 
 /// Depth by the separating axis test, in float and in double, for hulls of 8, 16, 32 and 64
@@ -102,7 +139,8 @@ void judge_all(const Method& method, const HullCases& cases, Measurement& measur
 ///
 /// The error is |separation - oracle| over the size of the hulls. Coherent contacts may prefer a
 /// slightly deeper axis, so the oracle measures the axis that they chose. Float errors include
-/// rounding of the input. A call fails if it finds no overlap.
+/// rounding of the input. A call fails if it finds no overlap. Bullet's test is a line if its program
+/// is found (depth_peer.h). "time": the least time of a call.
 std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
                                                const StudyProgress& progress) {
   const std::vector<Method> all = methods();
@@ -131,6 +169,8 @@ std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
       [&](std::size_t m, std::size_t size, std::size_t i) {
         return all[m].find(cases[size], i).separation;
       });
+  add_peer(options, grid, cases, results);
+  results.push_back(times_of(results[0]));
   return results;
 }
 

@@ -1,4 +1,5 @@
 #include "query/penetration.h"
+#include "study/depth_peer.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 
@@ -99,6 +100,22 @@ void judge_depths(const DepthSeries& series, std::size_t effort, const HullCases
   }
 }
 
+/// A peer's depth is judged by its error alone: it may be a lower bound.
+void judge_peer(const DepthPeer& peer, const HullCases& cases, Measurement& measured) {
+  for (const double time : peer.nanoseconds) measured.times.add(time);
+  for (std::size_t i = 0; i < cases.exact.size(); ++i) {
+    const OverlappingHulls& exact = cases.exact[i];
+    const PeerDepth& found = peer.found[i];
+    measured.errors[2].add(found.depth >= 0 ? 0 : 1);
+    if (!(found.depth >= 0)) {
+      ++measured.failed;
+      continue;
+    }
+    measured.errors[0].add(std::abs(found.depth + exact.deepest.separation) / exact.size);
+    measured.errors[1].add(angle_between(found.normal, exact.deepest.normal));
+  }
+}
+
 }  // namespace
 
 /// Depth and normal of the penetration methods, in float and double, over six efforts, the
@@ -119,7 +136,8 @@ void judge_depths(const DepthSeries& series, std::size_t effort, const HullCases
 ///
 /// A call fails if it finds no depth, or one that is too small by more than rounding, so that
 /// moving by it would not separate the hulls. Reaching the iteration limit is not a failure: that
-/// is what is studied.
+/// is what is studied. Bullet and libccd, if their program is found (depth_peer.h), are a point each,
+/// at the highest effort.
 std::vector<trace::Study> study_penetration(const StudyOptions& options,
                                             const StudyProgress& progress) {
   const StudyGrid grid(options, kDepthSeries, kEfforts, kDepthCases, kDepthRepetitions);
@@ -146,6 +164,14 @@ std::vector<trace::Study> study_penetration(const StudyOptions& options,
       [&](std::size_t s, std::size_t e, std::size_t i) {
         return kDepthSeries[s].find(e, cases, i).depth;
       });
+  for (const DepthPeer& peer :
+       run_depth_peers(options.peer_folders, cases.exact, grid.repetitions)) {
+    add_line(results, {peer.name, {}}, std::array{std::end(kEfforts)[-1]}, [&](int) {
+      Measurement measured(results.size(), grid.cases);
+      judge_peer(peer, cases, measured);
+      return measured;
+    });
+  }
   record::each_point(results[2], [](trace::StudyPoint& point) {
     point.failed = 0;  // they have a status
   });

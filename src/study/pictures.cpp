@@ -28,6 +28,19 @@ const PictureOptions kOfEight{.at = 8, .only_at = true};
 const PictureOptions kLostArea{
     .at = 8, .only_at = true, .drop_resolution = true, .error = "share of the area that is lost"};
 
+const std::vector<Kept> kDepthMethods = {
+    {"double, SAT", "separating axis test"}, {"double, EPA by tolerance", "EPA"},
+    {"double, MPR by tolerance", "MPR"},     {"double, sampling", "8192 directions"},
+    {"Bullet, EPA", "Bullet, EPA", kQuiet},  {"Bullet, SAT", "Bullet, SAT", kQuiet},
+    {"libccd, EPA", "libccd, EPA", kQuiet},  {"libccd, MPR", "libccd, MPR", kQuiet}};
+const std::vector<Kept> kPrecisions = {{"float, separating axis test", "float"},
+                                       {"double, separating axis test", "double"},
+                                       {"Bullet, SAT", "Bullet, float", kQuiet}};
+const std::vector<Kept> kContactTimes = {
+    {"float, contact", "contact from scratch"},
+    {"float, the same with a cache", "with the last frame's features"},
+    {"Bullet, SAT", "Bullet, all pairs of edges", kQuiet}};
+
 // Double looks the same at smaller thresholds.
 const std::vector<Kept> kThresholdTests = {{"float", "float"}, {"float, guarded", kGuarded}};
 const std::vector<Kept> kBounds = {{"sphere", "bounding sphere"},
@@ -187,6 +200,54 @@ const std::vector<PictureRow>& picture_rows() {
           }),
       row("reducers", "", kReducers, kAll, "", "",
           "Four points kept of eight. Grey: as engines choose.", kOfEight),
+
+      row("penetration", "depth", kDepthMethods, kAll, "", "",
+          "Hulls of 32 vertices that overlap, from kissing to concentric. Grey: other libraries, "
+          "Bullet in float",
+          {.at = 6, .only_at = true, .left_out = {"; efforts", ""}},
+          [](Picture& plot) {
+            const auto time = [&](const char* method) {
+              return duration(plot.point(method).nanoseconds.min);
+            };
+            const std::string epa = time("double, EPA by tolerance"),
+                              sat = time("double, SAT"),
+                              mpr = plot.share("double, MPR by tolerance");
+            plot.mark_with_name("double, EPA by tolerance", epa);
+            plot.mark_with_name("double, SAT", sat);
+            plot.mark_with_name("double, MPR by tolerance", mpr);
+            return "EPA finds the depth to rounding in " + epa + ", the separating axis test in " +
+                   sat + "; MPR is off by " + mpr + " of the size";
+          }),
+      row("penetration", "normal", kDepthMethods, kAll, "", "",
+          "Hulls of 32 vertices that overlap, from kissing to concentric. Grey: other libraries, "
+          "Bullet in float",
+          {.at = 6, .only_at = true, .left_out = {"; efforts", ""}}),
+
+      row("hull_precision", "depth", kPrecisions, kAll, "", "",
+          "The separating axis test of two hulls of 32 vertices. Grey: another library",
+          {.at = 32, .only_at = true},
+          [](Picture& plot) {
+            const char *const in_float = "float, separating axis test",
+                              *const in_double = "double, separating axis test";
+            const double closer = plot.error(in_float) / plot.error(in_double);
+            const double slower =
+                plot.point(in_double).nanoseconds.min / plot.point(in_float).nanoseconds.min;
+            plot.mark_with_name(in_float, power(plot.error(in_float)));
+            plot.mark_with_name(in_double, power(plot.error(in_double)));
+            return "Double finds the depth of two hulls " + power(closer) +
+                   " times as exactly as float, in " + number(slower) + " times the time";
+          }),
+      row("hull_precision", "time", kContactTimes, kAll, "vertices of each hull", "",
+          "Up: microseconds, in float. Gregorius expects an order of magnitude from the last frame's "
+          "features",
+          {.at = 64, .drop_worst = true, .form = StudyForm::Curves},
+          [](Picture& plot) {
+            const double scratch = plot.error("float, contact"),
+                         kept = plot.error("float, the same with a cache");
+            return "With the last frame's features a contact of hulls of 64 vertices takes " +
+                   plot.mark("float, the same with a cache", number(kept) + " µs") + ", not " +
+                   plot.mark("float, contact", number(scratch) + " µs");
+          }),
 
       row("overlap", "false_positives", kBounds, kAll, "length of the boxes / their width", kShare,
           "Up: of the pairs that a bound lets through, the share that is apart. Rods: 10 times as "

@@ -19,6 +19,7 @@
   ROW(Tree, "tree")                            \
   ROW(Cells, "cells")                          \
   ROW(Bounds, "bounds")                        \
+  ROW(CandidatePairs, "candidate_pairs")       \
   ROW(Islands, "islands")                      \
   ROW(Field, "field")                          \
   ROW(Intersections, "intersections")          \
@@ -27,6 +28,7 @@
   ROW(Answer, "answer")                        \
   ROW(SatAxes, "sat_axes")                     \
   ROW(SatQueries, "sat_queries")               \
+  ROW(Projections, "projections")              \
   ROW(ContactAxis, "contact_axis")             \
   ROW(Orientation, "orientation")              \
   ROW(Core, "core")                            \

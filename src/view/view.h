@@ -19,6 +19,13 @@ enum class Story {
   WalkSteps,  // frame k shows the k-th pair of features that V-Clip compares
 };
 
+/// Pictures within a view's picture.
+enum class ViewLayout {
+  One,
+  SideBySide,  // each pair in its own viewport, all in the same parallel projection
+  Stages,      // each layer but the shapes in its own viewport, all with the same camera
+};
+
 /// Target of the automatic camera.
 enum class Focus {
   Contact,
@@ -57,8 +64,7 @@ struct View {
   std::optional<double> impulse_scale;
   /// Title of its pictures, see view/title.h. Default: the scenario's.
   std::optional<std::string> title;
-  /// Shows each pair in its own viewport, side by side, all with the same parallel projection.
-  bool side_by_side = false;
+  ViewLayout layout = ViewLayout::One;
   /// Shows subjects smaller than 20 pixels again, magnified.
   bool inset = true;
   Focus focus = Focus::Contact;

@@ -233,8 +233,7 @@ TEST(LintVerb, SlowOnlyScenariosThatShowAFaultHaveFindings) {
                   "scenarios/incremental/sliding.toml",        // points that slide away
                   "scenarios/mesh/sliding_over_edges.toml",    // internal edges
                   "scenarios/mesh/t_junction.toml",            // internal edges
-                  "scenarios/regressions/rapier_95_ramp_of_segments.toml",  // internal edges
-                  "scenarios/pipeline/whole.toml"));  // the second point of a steep capsule
+                  "scenarios/regressions/rapier_95_ramp_of_segments.toml"));  // internal edges
 }
 
 /// Traces that engines have written, next to the scenarios.

@@ -63,7 +63,7 @@ TEST(ContactCells, TheThirdChoiceShowsTriangleAreasOnEitherSide) {
   std::vector<ContactMoment> moments = chosen();
   for (trace::Measure& measure : moments[0].cells[0].choices[2].measures)
     measure.value = -measure.value;
-  EXPECT_THAT(words(drawn(moments, 0, 1280, 720, 3)), IsSupersetOf({"0.5000 m²", "0.2500 m²"}));
+  EXPECT_THAT(words(drawn(moments, 0, 1280, 720, 3)), IsSupersetOf({"−0.5000 m²", "+0.2500 m²"}));
 }
 
 TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
@@ -72,7 +72,7 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   EXPECT_EQ(std::ranges::count_if(second, [](const std::string& s) { return s.ends_with(" m"); }),
             7);
   const std::vector<std::string> third = words(drawn(chosen(), 0, 1280, 720, 3));
-  EXPECT_THAT(third, IsSupersetOf({"0.5000 m²", "0.2500 m²", "largest triangle"}));
+  EXPECT_THAT(third, IsSupersetOf({"+0.5000 m²", "−0.2500 m²", "largest triangle"}));
   EXPECT_EQ(std::ranges::count_if(third, [](const std::string& s) { return s.ends_with("²"); }), 6);
   const std::vector<std::string> fourth = words(drawn(chosen(), 0, 1280, 720, 4));
   // The chosen point's area outside one edge, and another's; areas inside other edges do not count.
@@ -85,7 +85,7 @@ TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   }
 }
 
-// The weights solve: the fourth point is the weighted mean of the other three.
+// The shares solve: the fourth point is the weighted mean of the other three.
 TEST(ContactCells, TheFourthChoiceShowsItsBarycentricCoordinates) {
   const std::vector<trace::Point> points = octagon();
   Mat3<double> corners;
@@ -98,9 +98,13 @@ TEST(ContactCells, TheFourthChoiceShowsItsBarycentricCoordinates) {
   const Vec3d& fourth = points[static_cast<std::size_t>(kept[3])].position;
   const Vec3d weights = corners.inverse() * Vec3d(fourth.x(), 1, fourth.z());
   ASSERT_LT(weights.minCoeff(), 0);
-  EXPECT_THAT(words(drawn(chosen(), 0, 1920, 720, 4)),
-              Contains("weights of 1, 2, 3 at point 4: " + spell_number(weights[0], 3) + ", " +
-                       spell_number(weights[1], 3) + ", " + spell_number(weights[2], 3)));
+  const auto signed_share = [](double share) {
+    return (share > 0 ? "+" : "") + spell_number(share, 3);
+  };
+  EXPECT_THAT(
+      words(drawn(chosen(), 0, 1920, 720, 4)),
+      IsSupersetOf({signed_share(weights[0]), signed_share(weights[1]), signed_share(weights[2]),
+                    std::string("outside: added"), std::string("inside: skipped")}));
 }
 
 TEST(ContactCells, TheLegendOfAChoiceListsItsMarks) {

@@ -26,6 +26,43 @@ double length_of(const Contour& contour) {
   return length;
 }
 
+/// A rasterizer that rounds corners leaves no gap only between polygons that share the corners of
+/// their border.
+TEST(Outlines, PiecesAroundHolesShareTheCornersOnTheirBorders) {
+  const Outline square = {{0, 0}, {640, 0}, {640, 480}, {0, 480}};
+  std::vector<Outline> pieces = {square};
+  double holes = 0;
+  for (const Vec2d& middle : {Vec2d(200, 250), Vec2d(400, 260)}) {
+    Outline hole;
+    for (int i = 0; i < 24; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 24;
+      hole.push_back(middle + 80 * Vec2d(std::cos(angle), std::sin(angle)));
+    }
+    holes += area_of(hole);
+    pieces = without(pieces, hole);
+  }
+  double area = 0;
+  const std::vector<Outline> joined = with_shared_corners(pieces);
+  ASSERT_GT(joined.size(), 24u);
+  ASSERT_EQ(joined.size(), pieces.size());
+  for (const Outline& piece : joined) area += area_of(piece);
+  EXPECT_NEAR(area, area_of(square) - holes, 1);
+  int inside_edges = 0;
+  for (const Outline& piece : joined)
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Vec2d &from = piece[i], edge = piece[(i + 1) % piece.size()] - from;
+      for (const Outline& other : joined)
+        for (const Vec2d& corner : other) {
+          const Vec2d offset = corner - from;
+          const double along = edge.dot(offset) / edge.norm();
+          inside_edges +=
+              along > 0.02 && along < edge.norm() - 0.02 &&
+              std::abs(edge.x() * offset.y() - edge.y() * offset.x()) < 0.005 * edge.norm();
+        }
+    }
+  EXPECT_EQ(inside_edges, 0);
+}
+
 TEST(Contours, ACircleIsOneClosedLine) {
   const auto values =
       grid(41, 31, [](int x, int y) { return std::hypot(x - 19.3, y - 15.1) - 11.2; });

@@ -15,7 +15,7 @@ using ::testing::Contains;
 struct TwoCrates : CrateOnSlab {
   TwoCrates() {
     view.layers = {Layer::Shapes, Layer::Contacts};
-    view.side_by_side = true;
+    view.layout = ViewLayout::SideBySide;
     pair().label = "left";
     header.shapes.push_back(crate_sample::cuboid("slab_2", {1, 0.2, 1}));
     header.shapes.push_back(crate_sample::cuboid("crate_2", {0.5, 0.5, 0.5}));
@@ -49,6 +49,32 @@ TEST(SideBySide, PairsHaveEqualParallelViewports) {
   const Point2 of_right = *right.camera->project({5.5, 0, 0.5});
   EXPECT_NEAR(of_left.x - left.frame.x, of_right.x - right.frame.x, 1e-3);
   EXPECT_NEAR(of_left.y - left.frame.y, of_right.y - right.frame.y, 1e-3);
+}
+
+TEST(Stages, EachLayerHasItsViewportWithTheSameCamera) {
+  CrateOnSlab crate;
+  crate.view.layout = ViewLayout::Stages;
+  crate.view.layers = {Layer::Shapes, Layer::CandidatePairs, Layer::Contacts};
+  const Staging staging = crate.staged();
+  ASSERT_EQ(staging.viewports.size(), 2u);
+  const PairViewport &candidates = staging.viewports[0], &contacts = staging.viewports[1];
+  EXPECT_EQ(candidates.camera->eye(), contacts.camera->eye());
+  const Point2 of_first = *candidates.camera->project({0.5, 0, 0.5}),
+               of_second = *contacts.camera->project({0.5, 0, 0.5});
+  EXPECT_NEAR(of_first.x - candidates.frame.x, of_second.x - contacts.frame.x, 1e-2);
+  EXPECT_NEAR(of_first.y - candidates.frame.y, of_second.y - contacts.frame.y, 1e-2);
+  EXPECT_EQ(part_of(crate.frames[0], contacts).poses.size(), 2u);
+  const Drawing drawing = illustrate(staging, crate.frames[0]);
+  EXPECT_THAT(crate_sample::texts(drawing),
+              testing::IsSupersetOf({"1  candidates: the boxes of 1 of 1 pairs overlap",
+                                     "2  contacts: 1 pair touches at 2 points"}));
+}
+
+TEST(Stages, ASingleLayerIsNotDivided) {
+  CrateOnSlab crate;
+  crate.view.layout = ViewLayout::Stages;
+  crate.view.layers = {Layer::Shapes, Layer::Contacts};
+  EXPECT_TRUE(crate.staged().viewports.empty());
 }
 
 TEST(SideBySide, ATargetIsLookedAtInEachPair) {
@@ -104,7 +130,7 @@ TEST(SideBySide, BoundsHaveTheirAnswerInTheHeading) {
 
 TEST(SideBySide, OnePairKeepsTheUsualView) {
   CrateOnSlab crate;
-  crate.view.side_by_side = true;
+  crate.view.layout = ViewLayout::SideBySide;
   EXPECT_TRUE(crate.staged().viewports.empty());
 }
 

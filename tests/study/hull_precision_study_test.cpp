@@ -56,8 +56,12 @@ TEST(OverlappingHulls, HaveTheirVerticesOverlapAndSize) {
 
 TEST(HullPrecisionStudy, DoubleIsFarCloserThanFloatAndNothingFails) {
   const std::vector<trace::Study> studies = study_hull_precision(small(), ignore_progress);
-  ASSERT_EQ(studies.size(), 1u);
+  ASSERT_EQ(studies.size(), 2u);
   ASSERT_EQ(studies[0].series.size(), 8u);
+  for (std::size_t line = 0; line < 8; ++line)
+    for (std::size_t p = 0; p < 4; ++p)
+      EXPECT_EQ(studies[1].series[line].points[p].error,
+                studies[0].series[line].points[p].nanoseconds.min / 1000);
   for (const trace::StudySeries& series : studies[0].series) {
     std::vector<double> parameters;
     for (const trace::StudyPoint& point : series.points) {

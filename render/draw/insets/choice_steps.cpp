@@ -1,6 +1,7 @@
 #include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/labels.h"
+#include "draw/scene/outlines.h"
 #include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
@@ -8,6 +9,11 @@ namespace {
 
 constexpr double kLabelSize = 17;
 constexpr double kDigit = 22;
+
+/// The sign is the winding of the triangle.
+std::string signed_area(double value) {
+  return (value < 0 ? "−" : "+") + spell_area(std::abs(value));
+}
 
 struct ChoicePen : Pen {
   struct Label {
@@ -111,9 +117,9 @@ struct ChoicePen : Pen {
     if (grows && !(measure.value < 0)) return;
     const std::string value = rule == "farthest"                 ? spell_length(measure.value)
                               : rule == "deepest" || by_distance ? spell_length(-measure.value)
-                              : rule == "triangle" || rule == "equally_deep"
-                                  ? spell_area(std::abs(measure.value))
-                                  : spell_area(-measure.value);
+                              : rule == "triangle"               ? signed_area(measure.value)
+                              : rule == "equally_deep" ? spell_area(std::abs(measure.value))
+                                                       : spell_area(-measure.value);
     if (grows && winner) return outside(measure, value, by_distance);
     if (by_distance) offset_from_edge(measure, 1.4, with_alpha(kAxis, 0.9f));
     Vec2d at = place(measure.point);
@@ -140,7 +146,7 @@ struct ChoicePen : Pen {
     sides(measure, 2.5, kContact);
     if (!by_distance) {
       labels.push_back(area_label(from, to, point, spelled));
-      if (is_alone && shown == 4) weights(point);
+      if (is_alone && shown == 4) signed_areas();
       return;
     }
     // The measure that decided, and the area gained.
@@ -151,29 +157,65 @@ struct ChoicePen : Pen {
     labels.push_back(area_label(from, to, point, spell_area(area)));
   }
 
-  /// The areas with the three edges, over that of the triangle, are the
-  /// barycentric coordinates of the fourth point; the least one is that of the corner across.
-  void weights(const Vec2d& point) {
-    const Vec2d corners[3] = {place(kept[0]), place(kept[1]), place(kept[2])};
+  /// The signed area of the fourth point with each edge, as in the talk, and its share of the
+  /// triangle's area: the barycentric coordinate of the corner across. Written in a free corner of
+  /// the map, if there is one.
+  void signed_areas() {
+    constexpr double kTableText = 15, kTableRow = 22, kColumn = 12, kInside = 4;  // pixels
+    constexpr std::size_t kColumns = 4;
+    using Row = std::array<std::string, kColumns>;
+    const auto on_plane = [&](std::size_t k) {
+      return plane.axes.along(at(cell.points, kept[k]).position);  // metres
+    };
+    const Vec2d corners[3] = {on_plane(0), on_plane(1), on_plane(2)}, point = on_plane(3);
     const double twice = contactscope::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    std::array<std::string, 3> spelled;
+    std::vector<Row> rows{{"edge", "area", "barycentric", ""}};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2d &from = corners[(k + 1) % 3], &to = corners[(k + 2) % 3];
-      const double weight = contactscope::cross(to - from, point - from) / twice;
-      spelled[k] = spell_number(weight, 3);
-      if (!(weight > 0)) continue;
-      const double area = 0.5 * weight * std::abs(twice) / std::pow(plane.pixels_per_metre, 2);
-      const Vec2d middle_of_edge = 0.5 * (from + to);
-      labels.push_back({middle_of_edge + 0.17 * (corners[k] - middle_of_edge),
-                        "+" + spell_area(area), kDropped, false, true});
+      const Vec2d &from = corners[k], &to = corners[(k + 1) % 3];
+      const double share = contactscope::cross(to - from, point - from) / twice;
+      const double area = 0.5 * share * std::abs(twice);
+      if (share < 0)
+        stroke(place(kept[(k + 2) % 3]), place(kept[3]), 1.2, with_alpha(kShapeEdge, 0.6f), 6);
+      rows.push_back({std::to_string(k + 1) + "–" + std::to_string((k + 1) % 3 + 1),
+                      signed_area(area), (share > 0 ? "+" : "") + spell_number(share, 3),
+                      share > 0 ? "inside: skipped" : "outside: added"});
     }
-    const std::string said =
-        "weights of 1, 2, 3 at point 4: " + spelled[0] + ", " + spelled[1] + ", " + spelled[2];
-    const Vec2d corner(plane.map.right(), plane.map.bottom());
-    const double left = corner.x() - width_of(said, Weight::Regular) - px(40);
-    const bool has_room = std::ranges::none_of(
-        places, [&](const Point2& at) { return at.x > left && at.y > corner.y() - px(60); });
-    if (has_room) text(said, pixel(corner), Align::Right, kText);
+    const Pen table_pen(drawing(), scale(), kTableText);
+    std::array<double, kColumns> widths{};
+    for (const Row& row : rows)
+      for (std::size_t c = 0; c < kColumns; ++c)
+        widths[c] =
+            std::max<double>(widths[c], table_pen.width_of(row[c], Weight::Bold) + px(kColumn));
+    const double width = std::accumulate(widths.begin(), widths.end(), 0.0);
+    const double height = px(kTableRow) * static_cast<double>(rows.size());
+    const Outline patch = as_outline(places);
+    std::optional<Rect> table;
+    for (const bool low : {false, true})
+      for (const bool right : {false, true}) {
+        const Rect& map = plane.map;
+        const Rect corner{right ? map.right() - width : map.x,
+                          low ? map.bottom() - height : map.y + px(kInside), width, height};
+        const Rect room = corner.grown(px(kDigit));
+        const Eigen::AlignedBox2d taken(Vec2d(room.x, room.y), Vec2d(room.right(), room.bottom()));
+        if (!table && !overlap(patch, taken)) table = corner;
+      }
+    if (!table) return;
+    double baseline = table->y + px(kTableText);
+    for (const Row& row : rows) {
+      const bool is_head = &row == &rows.front(), adds = row[1].starts_with("−");
+      const Color& color = adds ? kContact : is_head ? kQuietText : kText;
+      double left = table->x;
+      for (std::size_t c = 0; c < kColumns; ++c) {
+        const bool is_number = c == 1 || c == 2;
+        const double from = is_number ? left + widths[c] - px(kColumn) : left;
+        table_pen.text(row[c], pixel(from, baseline), is_number ? Align::Right : Align::Left, color,
+                       adds ? Weight::Bold : Weight::Regular);
+        left += widths[c];
+      }
+      placer.block(pixel(table->x, baseline - px(6)), pixel(table->right(), baseline - px(6)),
+                   px(kTableRow));
+      baseline += px(kTableRow);
+    }
   }
 
   /// Perpendicular from the line of the edge to a point. Returns its foot.

@@ -224,9 +224,9 @@ void draw_contacts(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   if (all_points(pair).size() <= kFewPoints && !scene.shows(Layer::Reduced) &&
       !scene.shows(Layer::Ids))
     count_shared(scene, pair, sketch);
-  // In a heap, gaps are not the subject.
+  // In a heap or a stage of the pipeline, gaps are not the subject.
   constexpr std::size_t kFewPairs = 16;
-  if (scene.frame.pairs.size() > kFewPairs) return;
+  if (scene.frame.pairs.size() > kFewPairs || scene.view.layout == ViewLayout::Stages) return;
   const bool measured_elsewhere =
       scene.shows(Layer::SatAxes) || scene.shows(Layer::ContactAxis) || scene.shows(Layer::Simplex);
   const PlacedShape* a = scene.find(pair.a);
@@ -284,8 +284,23 @@ Vec3d leftmost_of(const trace::Pair& pair, const Vec3d& left) {
   return std::ranges::max_element(points, {}, how_far)->point->position;
 }
 
+/// Whether layer Core writes the pair's overlap, in its sum of radii or of margins.
+bool is_in_sum(const Scene& scene, const trace::Pair& pair) {
+  if (!scene.shows(Layer::Core) || pair.query) return false;
+  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
+  if (a == nullptr || b == nullptr) return false;
+  if (pair.incremental)
+    return pair.gjk && pair.gjk->distance > 0 &&
+           pair.incremental->margin_a + pair.incremental->margin_b > 0;
+  const auto is_in = [](const PlacedShape& shape) {
+    return !shape.is_mesh() && !shape.traced().half_space;
+  };
+  return is_in(*a) && is_in(*b) && (a->traced().radius > 0 || b->traced().radius > 0);
+}
+
 /// Labels the pair's overlap at its deepest point.
 void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  if (is_in_sum(scene, pair)) return;
   const std::optional<PairPoint> deepest = deepest_of(scene, pair);
   if (!deepest) return draw_least_gap(scene, pair, sketch);
   const Vec3d left = -scene.camera.right();

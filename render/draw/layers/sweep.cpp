@@ -35,6 +35,11 @@ constexpr Swatch kFirstMeetingSwatch{LegendGroup::Motion, 7, [](auto& pen) {
                                        pen.dot(0, 4.8, kContact);
                                      }};
 
+constexpr Color kSwept = with_alpha(kDropped, 0.09f);
+constexpr LineStyle kSweptBorder{1.0f, with_alpha(kDropped, 0.5f)};
+constexpr Swatch kSweptSwatch{LegendGroup::Motion, 4,
+                              [](auto& pen) { pen.box(kSwept, kSweptBorder.color, 1); }};
+
 constexpr LineStyle kTrue{2.2f, kShapeEdge};
 constexpr Swatch kTrueSwatch{LegendGroup::Motion, 8,
                              [](auto& pen) { pen.level_line(0, 23, 2.2, kShapeEdge); }};
@@ -54,6 +59,28 @@ constexpr Swatch kCornerPathSwatch{LegendGroup::Motion, 15,
                                    [](auto& pen) { pen.dashes(1.5, kContact); }};
 
 constexpr Swatch kGhostSwatch{LegendGroup::Motion, 9, [](auto& pen) { pen.dot(4.2, 6.2, kAxis); }};
+
+/// The survey's "Continuous Collision Detection (CCD)", Fig. 5: a ball that moves straight sweeps a
+/// capsule.
+void draw_swept_ball(const Scene& scene, const PlacedShape& ball, const Vec3d& displacement,
+                     Sketch& sketch) {
+  const Vec3d& from = ball.vertices.front();
+  const std::vector<Vec3d> outline =
+      RoundBody{{from, from + displacement}, ball.traced().radius}.outline(scene.camera);
+  if (outline.size() < 3) return;
+  sketch.surfaces.push_back({outline, kSwept});
+  sketch.outline(outline, kSweptBorder);
+  sketch.explain(kSweptSwatch, "swept by the ball: a capsule");
+}
+
+/// Whether the frame has no earlier pair in which this shape hits another.
+bool is_first_hit_of(const Scene& scene, const trace::Pair& pair, const PlacedShape& shape) {
+  const std::string& name = shape.traced().name;
+  const auto first = std::ranges::find_if(scene.frame.pairs, [&](const trace::Pair& each) {
+    return each.impact && each.impact->status == "hit" && (each.a == name || each.b == name);
+  });
+  return first != scene.frame.pairs.end() && &*first == &pair;
+}
 
 /// Whether the displacement or rotation of a shape is visible. A resting shape would cover itself.
 bool moves(const Scene& scene, const PlacedShape& shape, const trace::Travel& travel) {
@@ -198,6 +225,8 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       if (!travel->turn.isZero(0)) continue;
       // Centres of shapes other than balls are not visible, and here not important.
       if (impact.status == "hit" && border_of_ball(*shape) == 0) continue;
+      if (is_ball(*shape) && is_first_hit_of(scene, pair, *shape))
+        draw_swept_ball(scene, *shape, travel->displacement, sketch);
       const Vec3d middle = shape->pose.transform(shape->traced().center_of_mass);
       draw_path(scene, middle, middle + travel->displacement, border_of_ball(*shape),
                 impact.status == "hit" ? kEndPathOfHit : kEndPath, sketch);

@@ -300,7 +300,8 @@ void draw_bounds(const Scene& scene, Sketch& sketch) {
     });
   };
   std::vector<trace::Bounds> all = scene.frame.broad_phase->bounds;
-  const bool few = all.size() <= kMaxNamed, named = few && !scene.shows(Layer::Cells);
+  const bool few = all.size() <= kMaxNamed && scene.view.layout != ViewLayout::Stages,
+             named = few && !scene.shows(Layer::Cells);
   const auto meeting = std::stable_partition(all.begin(), all.end(), std::not_fn(meets));
   for (auto bounds = all.begin(); bounds != all.end(); ++bounds) {
     const bool alone = bounds < meeting;

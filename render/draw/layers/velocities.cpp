@@ -173,6 +173,18 @@ std::string spell_closing(double speed, double fastest) {
   return (speed < 0 ? "−" : "") + printed("%.*f m/s", decimals, std::abs(speed));
 }
 
+/// The terms of the relative velocity: r from each turning body's centre of mass to the point.
+void draw_levers(const Scene& scene, const trace::Pair& pair, const Vec3d& at, Sketch& sketch) {
+  for (const std::string* name : {&pair.a, &pair.b}) {
+    const trace::Body* body = scene.body(*name);
+    if (body == nullptr || body->angular_velocity.isZero(0)) continue;
+    sketch.arrows.push_back(
+        {.from = body->center_of_mass, .to = at, .width = 2, .head = 10, .color = kShapeEdge});
+    sketch.label(0.3 * body->center_of_mass + 0.7 * at, "r", kText, 20, 8, -scene.camera.right());
+    sketch.mark(MarkKind::Node, body->center_of_mass, kShapeEdge);
+  }
+}
+
 // Gregorius 2015, "Recap: Solving Contact (2)": of the relative velocity at the point, only the
 // part along the normal matters to the contact.
 void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
@@ -192,6 +204,11 @@ void draw_relative_velocity(const Scene& scene, const trace::Pair& pair, Sketch&
       sketch.line(at + whole, at + part, {1.2f, kMotion, true});
       sketch.explain(kWholeSwatch, "relative velocity at the contact, way in " +
                                        spell_quantity(scales.velocity, "s", 1));
+    }
+    // The velocities of the bodies are its terms, and are shown too.
+    if (scene.shows(Layer::Velocities) && is_seen(whole) && is_seen(part)) {
+      draw_levers(scene, pair, at, sketch);
+      sketch.label(at + whole, "v + ω × r", kMotion, 18, 9, whole.normalized());
     }
     const std::string spelled = spell_closing(speed, scales.closing);
     if (!is_seen(part) && is_seen(whole)) {

@@ -14,6 +14,7 @@ constexpr double kResult = 17;  // text size of the result, pixels at 720 lines
 constexpr double kFlattest = 0.3;
 constexpr int kRoundSteps = 96;
 constexpr double kProjectionRadius = 7.5;  // pixels at 720 lines
+constexpr double kUnderPoint = 1.9;        // factor of it, so that a point on it leaves it visible
 
 /// Round shapes of the pair. Their outline along the normal is context for one or two points, which
 /// have no extent. Their vertices are the centre of a sphere or the ends of a capsule's core.
@@ -97,8 +98,11 @@ class ContactPlanePanel : public PanelContent {
     const ContactPlane plane = plane_of(*pair, map, sheet.pen());
     draw_round_shapes(*pair, frame, plane);
     if (pair->clip && pair->manifolds.size() == 1) draw_clip(*pair, plane);
+    const bool has_center = staging_.view.shows(Layer::CenterOfMass);
+    const bool is_under = has_center && covers_point(*pair, plane);
+    if (is_under) draw_projection(*pair, plane, kUnderPoint);
     const std::vector<std::string> words = draw_points(*pair, plane);
-    if (staging_.view.shows(Layer::CenterOfMass)) draw_projection(*pair, plane);
+    if (has_center && !is_under) draw_projection(*pair, plane, 1);
     plane.scale_bar(0.3, caption - 0.2 * line);
     const Pen& pen = sheet.pen();
     double baseline = caption + 1.1 * line;
@@ -170,11 +174,20 @@ class ContactPlanePanel : public PanelContent {
   }
 
   /// Projection of the centre of mass along the normal: inside the support or outside.
-  static void draw_projection(const trace::Pair& pair, const ContactPlane& plane) {
+  static void draw_projection(const trace::Pair& pair, const ContactPlane& plane, double size) {
     if (!pair.stability || pair.stability->verdict == "no contact") return;
     const Point2 at = plane.at(pair.stability->projection);
     if (plane.map.contains(at))
-      draw_quartered_disc(at, plane.px(kProjectionRadius), plane.px(1.4), plane.drawing());
+      draw_quartered_disc(at, plane.px(size * kProjectionRadius), plane.px(1.4), plane.drawing());
+  }
+
+  /// Whether the projection would hide a contact point.
+  static bool covers_point(const trace::Pair& pair, const ContactPlane& plane) {
+    if (!pair.stability) return false;
+    const Point2 at = plane.at(pair.stability->projection);
+    return std::ranges::any_of(positions_of(pair), [&](const Vec3d& point) {
+      return distance(plane.at(point), at) < plane.px(2 * kProjectionRadius);
+    });
   }
 
   /// Returns the result as text.

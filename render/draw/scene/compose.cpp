@@ -148,7 +148,7 @@ struct Composer {
     pen.fill(polygon, faint);
     Color rest = color;  // adds up to the full colour over the faint one
     rest.a = (color.a - faint.a) / (1 - faint.a);
-    for (const Outline& part : seen)
+    for (const Outline& part : with_shared_corners(seen))
       pen.fill(mapped(part, [](const Vec2d& p) { return pixel(p); }), rest);
   }
 

@@ -169,7 +169,7 @@ bool lies_on(const Outline& polygon, const Eigen::AlignedBox2d& box) {
 }
 
 std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole) {
-  constexpr double kMinArea = 0.25;  // square pixels
+  constexpr double kMinArea = 0.01;  // square pixels: a long sliver may hold a pixel's middle
   std::vector<Outline> result;
   for (Outline rest : polygons) {
     for (std::size_t i = 0; i < hole.size() && rest.size() > 2; ++i) {
@@ -180,6 +180,45 @@ std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline
     }
   }
   return result;
+}
+
+std::vector<Outline> with_shared_corners(std::vector<Outline> pieces) {
+  constexpr double kOnEdge = 0.01;           // pixels
+  constexpr std::size_t kMaxCorners = 2000;  // the time grows with their square
+  std::vector<Vec2d> corners;
+  for (const Outline& piece : pieces) corners.insert(corners.end(), piece.begin(), piece.end());
+  if (corners.size() > kMaxCorners) return pieces;
+  for (Outline& piece : pieces) {
+    Outline joined;
+    std::vector<bool> begins_whole;  // whether an edge has no further corner
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Vec2d &from = piece[i], edge = piece[(i + 1) % piece.size()] - from;
+      const double length = edge.norm();
+      std::vector<std::pair<double, Vec2d>> on;  // by distance from the edge's begin
+      for (const Vec2d& corner : corners) {
+        const double along = edge.dot(corner - from) / length;
+        if (along > kOnEdge && along < length - kOnEdge &&
+            std::abs(cross(edge, corner - from)) < kOnEdge * length)
+          on.emplace_back(along, corner);
+      }
+      std::ranges::sort(on, {}, &std::pair<double, Vec2d>::first);
+      joined.push_back(from);
+      begins_whole.push_back(on.empty());
+      for (const auto& [along, corner] : on) {
+        if (corner == joined.back()) continue;
+        joined.push_back(corner);
+        begins_whole.push_back(false);
+      }
+    }
+    // Filled as a fan about its first corner, next to which no corner should be on a line.
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+      if (!begins_whole[i] || !begins_whole[(i + joined.size() - 1) % joined.size()]) continue;
+      std::ranges::rotate(joined, joined.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    }
+    piece = std::move(joined);
+  }
+  return pieces;
 }
 
 std::vector<Outline> outlines_before(const std::vector<Point2>& polygon, const Camera& camera,

@@ -22,8 +22,13 @@ bool overlap(const Outline& polygon, const Eigen::AlignedBox2d& box);
 /// Whether a box is inside a convex polygon.
 bool lies_on(const Outline& polygon, const Eigen::AlignedBox2d& box);
 
-/// The parts of the polygons outside of a convex one, in pieces of at least a quarter of a pixel.
+/// The parts of the polygons outside of a convex one, in pieces of at least a hundredth of
+/// a square pixel.
 std::vector<Outline> without(const std::vector<Outline>& polygons, const Outline& hole);
+
+/// Adds to each polygon the corners of the others that are on its edges. Otherwise a rasterizer, which
+/// rounds corners, would leave out pixels between two polygons that share a border, or fill them twice.
+std::vector<Outline> with_shared_corners(std::vector<Outline> pieces);
 
 /// Bodies among the surfaces that are in front of a polygon on the screen. Each flat face is a
 /// polygon, each round body one outline. Empty if there are too many faces, as on a landscape.

@@ -133,7 +133,9 @@ struct Scene {
   bool shows(Layer layer) const { return view.shows(layer); }
   /// Whether there are so many shapes that lengths, names and signs of each would cover them.
   bool crowded() const {
-    return (view.side_by_side ? header.shapes.size() : shapes.size()) > kCrowd || scales.heap;
+    return (view.layout == ViewLayout::SideBySide ? header.shapes.size() : shapes.size()) >
+               kCrowd ||
+           scales.heap;
   }
   /// Whether a shape is only context: in a crowd it would hide the shapes that the view focuses on.
   bool is_context(const PlacedShape& shape) const;

@@ -118,7 +118,7 @@ SequenceScales fit_scales(const ShapeMeshes& meshes, const std::vector<trace::Fr
   }
 
   scales.pixel = layout.scale;
-  scales.heap = !view.side_by_side && std::ranges::any_of(frames, is_heap);
+  scales.heap = view.layout != ViewLayout::SideBySide && std::ranges::any_of(frames, is_heap);
   scales.overlap = fit_overlap(deepest, scales.pixel);
   fit_gap(gap, deepest > 0, scales);
   const double smallest = meshes.smallest_radius();
