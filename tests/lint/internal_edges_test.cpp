@@ -59,6 +59,23 @@ TEST(InternalEdges, AreNamedWhereAFlatFloorPushesSideways) {
   }
 }
 
+/// Once in hundreds of pairs engines are grossly wrong.
+TEST(InternalEdges, AreNamedBeforeAPointThatIsOffOnce) {
+  const auto [shape, height] = sliders(1).front();
+  Trace trace = slide(shape, height, grid(1), 1, false);
+  const std::vector<trace::Frame> frames = trace.frames;
+  for (int n = 1; n < 16; ++n)
+    for (trace::Frame frame : frames) {
+      frame.frame += 41 * n, frame.line += 41 * n, frame.time += 1.025 * n;
+      trace.frames.push_back(frame);
+    }
+  trace.frames[20].pairs[0].manifolds[0].points[0].position.x() += 2;
+  const std::vector<std::string> causes = causes_of(lint(trace));
+  ASSERT_EQ(causes.size(), 2u);
+  EXPECT_EQ(causes[0], "internal_edge");
+  EXPECT_EQ(causes[1], "surface");
+}
+
 // The ridge is real: while the sphere passes, its normal turns from one slope to the other.
 TEST(InternalEdges, AreNotTheEdgesThatASurfaceHas) {
   const std::string ridge =
