@@ -69,11 +69,13 @@ TEST(InternalEdges, AreNamedBeforeAPointThatIsOffOnce) {
       frame.frame += 41 * n, frame.line += 41 * n, frame.time += 1.025 * n;
       trace.frames.push_back(frame);
     }
-  trace.frames[20].pairs[0].manifolds[0].points[0].position.x() += 2;
+  for (trace::Manifold& manifold : trace.frames[20].pairs[0].manifolds)
+    for (trace::Point& point : manifold.points) point.position.y() += 2;
   const std::vector<std::string> causes = causes_of(lint(trace));
-  ASSERT_EQ(causes.size(), 2u);
-  EXPECT_EQ(causes[0], "internal_edge");
-  EXPECT_EQ(causes[1], "surface");
+  const auto edges = std::ranges::find(causes, "internal_edge");
+  const auto off = std::ranges::find(causes, "surface");
+  ASSERT_NE(off, causes.end()) << testing::PrintToString(causes);
+  EXPECT_LT(edges, off) << testing::PrintToString(causes);
 }
 
 // The ridge is real: while the sphere passes, its normal turns from one slope to the other.
