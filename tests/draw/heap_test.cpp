@@ -404,7 +404,7 @@ TEST(HeapFocus, BodiesOfThePairInFocusHaveTheirRolesAndOnlyItsRowIsMarked) {
   };
   EXPECT_THAT(bold(heap), testing::Each(Not(HasSubstr(" and ")))) << "not among the first five";
   for (trace::Pair& pair : heap.frames[0].pairs)
-    if (pair.a == "crate_9") pair.manifolds[0].points[0].separation = -0.03;
+    if (pair.a == "crate_9") pair.manifolds[0].points[0].separation = -0.05;
   EXPECT_THAT(bold(heap), Contains("crate 9 and crate 3"));
   heap.view.focus_on.clear();
   EXPECT_THAT(bold(heap), Contains("1")) << "the picture has the numbers";
