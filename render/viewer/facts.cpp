@@ -91,6 +91,14 @@ PackedFacts::PackedFacts(const trace::Header& header)
   poses_.resize(bodies_.size());
 }
 
+double PackedFacts::shown(double separation) const {
+  if (!std::isfinite(separation)) return separation;
+  const std::int32_t code = fine_steps(separation, fine_), size = std::abs(code);
+  const double times =
+      size < 2048 ? size : std::bit_cast<float>(std::uint32_t(size + (137 << 11)) << 12);
+  return (code < 0 ? -times : times) * fine_;
+}
+
 void PackedFacts::put(int field, int value, int predicted) {
   at(last_, field).value = predicted;
   coder_.put(field, value, at(last_, field));

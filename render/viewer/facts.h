@@ -122,6 +122,8 @@ class PackedFacts {
   explicit PackedFacts(const trace::Header& header);
 
   void add(const trace::Frame& frame);
+  /// A separation as the page shows it: rounded.
+  double shown(double separation) const;
   /// Length of the JSON (4 bytes, little-endian), the JSON, the integers. `page` has the page's own
   /// keys.
   std::string bytes(nlohmann::ordered_json page) const;

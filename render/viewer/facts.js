@@ -35,6 +35,19 @@ class Facts {
     this.pairs('Deepest pairs', records.sort((a, b) => separation[a] - separation[b]).slice(0, 5));
   }
 
+  /** What lint says of what is selected, first of all: in this frame, or in which others. */
+  lint(names) {
+    for (const { what, said, is, remedy, index, at } of data.findings) {
+      const frames = new Set(names.flatMap(name => [...at.get(name) || []])), others = frames.size - (frames.has(this.frame) ? 1 : 0);
+      if (!frames.size) continue;
+      const box = make('section', undefined, this.panel, 'finding'), more = others + ' more frame' + (others === 1 ? '' : 's');
+      make('p', what, box);
+      if (frames.has(this.frame)) make('p', others ? 'In this frame, and in ' + more + '.' : 'In this frame alone.', box, 'quiet');
+      else make('p', 'Not in this frame: in frame ' + data.frames[Math.min(...frames)] + (others > 1 ? ' first, of ' + others : '') + '.', box, 'quiet');
+      if (index === this.frame) make('p', [said, is, remedy].filter(Boolean).join('; ') + '.', box, 'quiet');
+    }
+  }
+
   /** A button for each pair. */
   pairs(title, records) {
     make('p', title, this.panel, 'quiet');
@@ -62,6 +75,7 @@ class Facts {
   body(body, records) {
     const shape = data.shapes[body], pose = poseOf(body, this.frame), mass = data.masses[shape.body || shape.name], speed = frame => Math.hypot(...velocityOf(body, frame));
     make('h2', shape.name, this.panel);
+    this.lint(['-1 ' + body]);
     const rows = [['kind', shape.type], ['part of', shape.body], ['radius', shape.radius && metres(shape.radius)],
       ['margin', shape.margin && metres(shape.margin)], ['mass', mass && digits(mass) + ' kg']].filter(([, value]) => value);
     if (!pose) rows.push(['', 'not in this frame']);
@@ -76,8 +90,9 @@ class Facts {
   pair({ pair, point }, record) {
     const { contacts, points } = data, of = data.frames.map((_, frame) => recordOf(pair, frame));
     make('h2', pairName(pair), this.panel);
+    this.lint(namesInLint(pair));
     if (record < 0) {
-      make('p', 'Not in this frame.', this.panel);
+      make('p', 'The pair has no contact in this frame.', this.panel);
     } else {
       const words = name => String(QUANTITIES[name](record) || '').replace(/_/g, ' '), normal = normalsOf(record)[0] ?? [NaN, NaN, NaN];
       table([['kind', data.pairs[pair][3]], ['state', contacts.state[record] ? 'touching' : 'separated'], gapRow(contacts.separation[record]), ['points', words('points') || '0'],

@@ -287,6 +287,7 @@ async function start() {
   });
 
   const isFresh = !location.hash;
+  byId('findings').open = isFresh;
   read();
   if (isFresh && data.worst && data.findings.length) byId('lint').querySelector('button').click();
   requestAnimationFrame(draw);

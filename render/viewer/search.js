@@ -66,16 +66,17 @@ const QUANTITIES = {
 const previousOf = name => (record, frame, pair) =>
   frame && name !== 'age' && name !== 'away' ? QUANTITIES[name](beforeOf(record, frame, pair), frame - 1, pair) : NaN;
 
-/** Gives each finding the indices of its frame and of all frames of its marks, and each frame the causes at bodies and pairs. */
+/** Gives each finding the indices of its frame and of all frames of its marks, in all and by body or pair, and each frame the causes at bodies and pairs. */
 function nameFindings() {
   const indices = new Map(data.frames.map((frame, index) => [frame, index])), pairs = new Map(data.pairs.map(([a, b], pair) => [Math.min(a, b) + ' ' + Math.max(a, b), pair]));
   data.named = data.frames.map(() => new Map());
   for (const finding of data.findings) {
-    Object.assign(finding, { index: indices.get(finding.frame) ?? -1, places: [] });
+    Object.assign(finding, { index: indices.get(finding.frame) ?? -1, places: [], at: new Map() });
     for (let i = 0; i < (finding.marks || []).length; i += 3) {
       const [frame, ...both] = finding.marks.slice(i, i + 3), index = indices.get(frame), key = both.sort((a, b) => a - b).join(' ');
       if (index === undefined) continue;
       finding.places.push(index);
+      finding.at.set(key, (finding.at.get(key) || new Set()).add(index));
       // A pair that the trace never has is known from here on.
       if (both[0] >= 0 && !pairs.has(key)) pairs.set(key, data.pairs.push([...both, '', '']) - 1);
       const named = data.named[index];
@@ -84,10 +85,14 @@ function nameFindings() {
     }
   }
 }
+/** What findings about a pair or its bodies are filed under. */
+function namesInLint(pair) {
+  const [a, b] = data.pairs[pair].slice(0, 2).sort((a, b) => a - b);
+  return [a + ' ' + b, '-1 ' + a, '-1 ' + b];
+}
 /** The number of findings about a pair or its bodies in a frame, of this cause or any. */
 const lintOf = cause => (record, frame, pair) => {
-  const [a, b] = data.pairs[pair].slice(0, 2).sort((a, b) => a - b);
-  return [a + ' ' + b, '-1 ' + a, '-1 ' + b].flatMap(key => data.named[frame].get(key)?.causes || []).filter(one => !cause || one === cause).length;
+  return namesInLint(pair).flatMap(key => data.named[frame].get(key)?.causes || []).filter(one => !cause || one === cause).length;
 };
 
 const isTrue = value => typeof value === 'string' ? value !== '' : !Number.isNaN(value) && value !== 0;

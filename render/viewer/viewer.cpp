@@ -116,7 +116,14 @@ Viewer::Viewer(const draw::Staging& staging, const PictureOrigin& origin, bool i
               {.ids_are_made = ids_are_made, .is_marked = [](int) { return true; }}) {}
 
 void Viewer::add(const trace::Frame& frame) {
-  titles_.push_back(draw::fill_title(staging_, frame));
+  // The title agrees with the numbers of the page, which are rounded.
+  trace::Frame shown = frame;
+  for (trace::Pair& pair : shown.pairs) {
+    pair.separation = facts_.shown(pair.separation);
+    for (trace::Manifold& manifold : pair.manifolds)
+      for (trace::Point& point : manifold.points) point.separation = facts_.shown(point.separation);
+  }
+  titles_.push_back(draw::fill_title(staging_, shown));
   facts_.add(frame);
   linter_.frame(frame);
 }

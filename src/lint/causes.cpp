@@ -23,7 +23,7 @@ constexpr std::string_view kOthers =
     "velocities_negated velocities_of_a_step velocities_in_centimetres "
     "velocities_in_millimetres velocities_in_frame_of_body spins_negated "
     "spins_in_degrees spins_of_a_step spins_in_frame_of_body shape large_margin "
-    "rounded_edges torn";
+    "rounded_edges kept_points torn";
 
 /// Checks the record itself, independent of shapes and poses.
 class RecordsWatch final : public Watch {

@@ -56,16 +56,16 @@ class WorstProblem {
  public:
   explicit WorstProblem(Verdict& verdict) : verdict_(verdict) {}
 
-  /// The allowed error is so many tolerances and `more`, at least `least`.
+  /// The allowed error is so many tolerances and `more`, at least `least`; nan is beyond it.
+  bool is_off(double off, double tolerances, double more, double least) const {
+    return !(off <= std::max(tolerances * verdict_.tolerance + more, least));
+  }
   void claim(const Problem& problem, double off, double tolerances, double more = 0,
              double least = 0) {
-    const auto is_wrong = [&](double tolerance) {
-      return !(off <= std::max(tolerances * tolerance + more, least));  // nan counts as wrong
-    };
     ++verdict_.claims;
-    if (!is_wrong(verdict_.tolerance)) return;
+    if (!is_off(off, tolerances, more, least)) return;
     ++verdict_.wrong;
-    verdict_.beyond += is_wrong(verdict_.allowed);
+    verdict_.beyond += !(off <= std::max(tolerances * verdict_.allowed + more, least));
     const bool is_first = !verdict_.worst || problem.kind < verdict_.worst->kind;
     const bool is_farther =
         !is_first && problem.kind == verdict_.worst->kind && off > verdict_.farthest;
@@ -97,21 +97,59 @@ Measured measure(const Placed& solid, const Vec3d& point, const Vec3d& outward, 
   return measured;
 }
 
+/// How far the two points of a kept point may slide from each other, metres: Bullet's limit, and in
+/// other engines a multiple of the tolerance.
+double allowed_slide(const Solids& solids, double tolerance) {
+  constexpr double kMaxBetween = 15, kBreakingThreshold = 0.02;
+  return std::max(kMaxBetween * tolerance, solids.are_of_bullet ? kBreakingThreshold : 0.0);
+}
+
 /// A point that an engine keeps while its bodies slide is between a point of each. If these are on
 /// the surfaces, and near each other, what is said of the point is measured at them.
 void measure_kept(const Placed& a, const Placed& b, const std::array<Vec3d, 2>& on,
                   const Vec3d& position, const Vec3d& normal, double said, double tolerance,
-                  Measured& of_a, Measured& of_b) {
-  constexpr double kMaxBetween = 15;  // tolerances
+                  double slide, Measured& of_a, Measured& of_b) {
   const Vec3d between = on[1] - on[0];
   const double along = between.dot(normal);
   if ((2 * position - on[0] - on[1]).norm() > between.norm() + tolerance ||
-      (between - along * normal).norm() > kMaxBetween * tolerance)
+      (between - along * normal).norm() > slide)
     return;
   Measured at_a = measure(a, on[0], normal, 0), at_b = measure(b, on[1], -normal, 0);
   if (std::max(at_a.off, at_b.off) > tolerance || !at_a.exit || !at_b.exit) return;
   *at_a.exit -= along;  // the two exits are those at one point
   if (std::abs(*at_a.exit + *at_b.exit + said) <= tolerance) of_a = at_a, of_b = at_b;
+}
+
+/// Whether an engine has kept all points of a manifold with their normal from the frame before,
+/// although the bodies have moved. Their claims held when the points were new.
+bool is_kept(const Moments& frames, const trace::Pair& pair, const trace::Manifold& manifold,
+             const Placed& a, const Placed& b, double slide) {
+  if (frames.before == nullptr || frames.after_step) return false;
+  const Pose<double>* const a_then = trace::find_pose(*frames.before, pair.a);
+  const Pose<double>* const b_then = trace::find_pose(*frames.before, pair.b);
+  if (a_then == nullptr || b_then == nullptr) return false;
+  constexpr double kSame = 1e-5;  // relative to sizes and places: float coordinates
+  const double same = kSame * (std::min(a.size(), b.size()) + a.pose.position.norm());
+  const auto is_same = [&](const trace::Point& point, const trace::Point& then) {
+    return then.on_a && then.on_b &&
+           (a.pose.inverse_transform(*point.on_a) - a_then->inverse_transform(*then.on_a)).norm() <=
+               same &&
+           (b.pose.inverse_transform(*point.on_b) - b_then->inverse_transform(*then.on_b)).norm() <=
+               same;
+  };
+  return std::ranges::all_of(manifold.points, [&](const trace::Point& point) {
+    if (!point.on_a || !point.on_b) return false;
+    const Vec3d between = *point.on_b - *point.on_a;
+    if ((between - between.dot(manifold.normal) * manifold.normal).norm() > slide) return false;
+    for (const trace::Pair& other : frames.before->pairs) {
+      if (other.a != pair.a || other.b != pair.b || other.label != pair.label) continue;
+      for (const trace::Manifold& then : other.manifolds)
+        if ((then.normal - manifold.normal).norm() <= kSame &&
+            std::ranges::any_of(then.points, [&](auto& one) { return is_same(point, one); }))
+          return true;
+    }
+    return false;
+  });
 }
 
 }  // namespace
@@ -219,7 +257,10 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
   Verdict verdict;
   verdict.tolerance = solids.tolerance_of(*a, *b);
   verdict.allowed = solids.allowed_for(*a, *b);
-  const double tolerance = verdict.tolerance;
+  const double tolerance = verdict.tolerance, slide = allowed_slide(solids, tolerance);
+  Reading as_reported;
+  as_reported.form = reading.form;  // Bullet's rounded edges
+  const bool may_be_kept = reading == as_reported && frame == frames.of_contacts();
   WorstProblem worst(verdict);
   for (int m = 0; m < count_of(pair.manifolds); ++m) {
     const trace::Manifold& manifold = at(pair.manifolds, m);
@@ -244,7 +285,7 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
           (std::max(of_a.off, of_b.off) > tolerance ||
            std::abs(of_a.exit.value_or(0) + of_b.exit.value_or(0) + said) > tolerance))
         measure_kept(*a, *b, {to_world(*on_a), to_world(*on_b)}, position, normal, said, tolerance,
-                     of_a, of_b);
+                     slide, of_a, of_b);
       const double off = std::max(of_a.off, of_b.off);
       const double speculative = kSpeculativeShare * std::max(said, 0.0);
       worst.claim({Wrong::Surface, m, p, std::abs(said), off + std::abs(said),
@@ -283,14 +324,25 @@ std::optional<Verdict> judge(const Solids& solids, const Moments& frames, const 
     if (!best || !has_own_normal || manifold.points.empty()) continue;
     const double along = separation_along(*a, *b, normal);
     const bool is_near = normal.dot(best->normal) >= kSameNormal;
-    worst.claim({Wrong::Normal, m, 0, along, best->distance, {}, best->normal},
-                is_near ? 0 : best->distance - along, kNormalTolerances, 0,
-                kNormalShare * std::abs(best->distance));
+    const double off = is_near ? 0 : best->distance - along;
+    const auto allowed = [&](double of) { return kNormalShare * std::abs(of); };
+    const auto is_off = [&](double by, double of) {
+      return worst.is_off(by, kNormalTolerances, 0, allowed(of));
+    };
     // For long shapes the deepest overlap along a slightly wrong normal is outside the patch.
     const double depth = is_near ? best->distance : along;
-    if (!pair.reduction && std::isfinite(depth))
+    const bool has_depth = !pair.reduction && std::isfinite(depth);
+    if (may_be_kept &&
+        (is_off(off, best->distance) || (has_depth && is_off(deepest - depth, depth))) &&
+        is_kept(frames, pair, manifold, *a, *b, slide)) {
+      ++verdict.kept;
+      continue;
+    }
+    worst.claim({Wrong::Normal, m, 0, along, best->distance, {}, best->normal}, off,
+                kNormalTolerances, 0, allowed(best->distance));
+    if (has_depth)
       worst.claim({Wrong::Deepest, m, 0, deepest, depth}, deepest - depth, kNormalTolerances, 0,
-                  kNormalShare * std::abs(depth));
+                  allowed(depth));
   }
   return verdict;
 }

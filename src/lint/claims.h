@@ -40,6 +40,7 @@ struct Verdict {
   std::vector<double> separations;  // measured, for the same points
   double tolerance = 0;             // metres
   double allowed = 0;               // likewise, by the user
+  int kept = 0;                     // claims that hold for points kept from earlier frames alone
 };
 
 /// The shapes of a trace by name. Degenerate shapes are left out and listed in `refused`.
@@ -58,6 +59,9 @@ class Solids {
   double tolerance_of(const Placed& a, const Placed& b) const;
   /// Allowed error: at least tolerance_of().
   double allowed_for(const Placed& a, const Placed& b) const;
+
+  /// Type of a known shape, as in the trace.
+  const std::string& type_of(const std::string& name) const { return shapes_.at(name).type; }
 
   /// The shapes that collided: Bullet rounds edges, but not of two boxes.
   Reading collided(const std::string& a, const std::string& b) const;

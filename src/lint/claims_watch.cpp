@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/at.h"
+#include "lint/small_depths.h"
 #include "lint/watch.h"
 #include "lint/wrong_pairs.h"
 
@@ -26,6 +27,8 @@ constexpr int kFixed = 5;
 constexpr double kFar = 1000;  // tolerances: twice the size of the smaller shape
 /// A shape has the wrong size if this share of its pairs fits another one.
 constexpr double kOfShape = 0.5;
+/// Share of the pairs of some types, if all of their wrong ones fit: MuJoCo halves boxes face to face.
+constexpr double kOfTypes = 0.2;
 constexpr int kListed = 4;  // more such shapes are only counted
 using Names = std::pair<std::string, std::string>;
 
@@ -74,7 +77,11 @@ class ClaimsWatch final : public Watch {
                  rounded_, judged_};
     hint.is_hint = true;
     if (rounded_ > 0) findings.push_back(hint);
-    report_small_depths(findings);
+    hint.cause = "kept_points", hint.count = kept_;
+    hint.what = "points and normals are those of earlier frames, and the bodies have moved";
+    hint.remedy = "Bullet keeps points that slide by up to 20 mm: gContactBreakingThreshold";
+    if (kept_ > 0) findings.push_back(hint);
+    small_.report(findings);
     while (report_best_explanation(findings)) continue;
     // If a cause explains nearly all pairs, the others mostly share it and have another error too.
     if (wrong_.untold() < kFewLeft * wrong_.count()) return;
@@ -114,10 +121,12 @@ class ClaimsWatch final : public Watch {
       size_of_[name] = solids.find(name)->size();
       if (!moved_.contains(name) && !stands_still(solids, frames, name)) moved_.insert(name);
     }
-    ++judged_in_[{pair.a, pair.b}];
+    if (judged_in_[{pair.a, pair.b}]++ == 0)
+      types_in_[{pair.a, pair.b}] = types_of(solids, pair.a, pair.b);
     ++judged_;
     moving_ += moves(solids, frames, pair, verdict->tolerance);
-    if (verdict->wrong == 0) return count_small_depths(*verdict);
+    kept_ += verdict->kept > 0;
+    if (verdict->wrong == 0) return small_.add(types_of(solids, pair.a, pair.b), pair, *verdict);
     WrongPair wrong{frames.now->line, frames.now->frame, pair.a, pair.b, *verdict->worst};
     wrong.deeper = common_depth(*verdict);
     wrong.size = std::min(1.0, verdict->farthest / (kFar / 2 * verdict->tolerance));
@@ -162,29 +171,6 @@ class ClaimsWatch final : public Watch {
     }
     has_explained_ |= wrong.explained_by;
     wrong_.add(std::move(wrong), options_.is_marked && options_.is_marked(frames.now->frame));
-  }
-
-  // Overlaps of a millimetre are within the tolerance whatever is reported. But if all are reported
-  // as half, that is a mistake.
-  void count_small_depths(const Verdict& verdict) {
-    for (std::size_t i = 0; i < verdict.separations.size(); ++i) {
-      const double is = verdict.separations[i], said = is - verdict.deeper[i];
-      constexpr double kSmallest = 0.05;  // relative to the tolerance; smaller ones are noise
-      if (!(is < -kSmallest * verdict.tolerance)) continue;
-      ++small_;
-      for (std::size_t f = 0; f < std::size(kFactors); ++f)
-        small_by_[f] += std::abs(said - kFactors[f] * is) <= 0.03 * std::abs(is);
-    }
-  }
-
-  void report_small_depths(std::vector<Finding>& findings) const {
-    constexpr const char* kNames[] = {"positive_depths", "half_depths", "double_depths"};
-    if (small_ < kEnough) return;
-    for (std::size_t f = 0; f < std::size(kFactors); ++f) {
-      if (small_by_[f] < 0.9 * small_) continue;
-      const auto mistake = std::ranges::find(mistakes(), std::string(kNames[f]), &Mistake::name);
-      findings.push_back({mistake->name, mistake->what, mistake->remedy, small_by_[f], small_});
-    }
   }
 
   /// The wrong pairs that fit and are not reported yet; without a place if there are none. Those
@@ -237,12 +223,14 @@ class ClaimsWatch final : public Watch {
     return pairs;
   }
 
-  /// Whether most small overlaps do not have the sign or factor of a reading.
-  bool is_refuted(const Reading& reading) const {
-    const double factor = (reading.separations_negated ? -1 : 1) / reading.separation_scale;
-    const auto* const known = std::ranges::find(kFactors, factor);
-    return known != std::end(kFactors) && small_ >= kEnough &&
-           2 * small_by_[known - std::begin(kFactors)] < small_;
+  /// Whether nearly all of the remaining wrong pairs of these types fit.
+  template <class Fits> bool fits_all_of(const std::set<Types>& types, const Fits& fits) {
+    int count = 0, of = 0;
+    for (const WrongPair& wrong : wrong_) {
+      if (wrong.record || !types.contains(types_in_[{wrong.a, wrong.b}])) continue;
+      of += wrong.times, count += fits(wrong) ? wrong.times : 0;
+    }
+    return count >= 0.95 * of;
   }
 
   /// Reports the reading that makes most of the remaining wrong pairs right; of several the first,
@@ -287,15 +275,26 @@ class ClaimsWatch final : public Watch {
     const auto is_explained = [&](const WrongPair& wrong) { return wrong.explained_by.test(e); };
     const std::set<Names> pairs = pairs_of(is_explained);
     int judged = 0;
-    for (const Names& names : pairs) judged += judged_in_[names];
+    std::set<Types> types;
+    for (const Names& names : pairs) {
+      judged += judged_in_[names];
+      types.insert(types_in_[names]);
+    }
     if ((!may_be_rare(all[e].reading) && is_local(pairs)) ||
-        (2 * counts[e] < judged && is_refuted(all[e].reading))) {
+        (2 * counts[e] < judged && small_.refute(all[e].reading, types) &&
+         !(pairs.size() >= kNoChance && counts[e] >= kOfTypes * judged &&
+           fits_all_of(types, is_explained)))) {
       for (WrongPair& wrong : wrong_) wrong.explained_by.reset(e);
       return true;
     }
     std::vector<Finding> named;
+    const bool is_of_types = types.size() == 1 && std::ranges::any_of(types_in_, [&](auto& of) {
+                               return of.second != *types.begin();
+                             });
+    const std::string where = is_of_types ? ", in pairs of kind " + in_words(*types.begin()) : "";
     for (const Mistake* mistake : all[e].made)
-      named.push_back(gathered(mistake->name, mistake->what, mistake->remedy, is_explained));
+      named.push_back(
+          gathered(mistake->name, mistake->what + where, mistake->remedy, is_explained));
     if (!is_enough_) return false;
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || is_explained(wrong);
     for (Finding& one : named) {
@@ -307,6 +306,9 @@ class ClaimsWatch final : public Watch {
         *same = std::move(one);
       } else if (same->line > 0) {
         same->count += one.count;
+      } else if (one.line > 0) {  // small depths have no place
+        one.what = same->what, one.count = same->count, one.of = same->of;
+        *same = std::move(one);
       }
     }
     return true;
@@ -421,20 +423,19 @@ class ClaimsWatch final : public Watch {
     return is_gross;
   }
 
-  static constexpr double kFactors[] = {-1, 0.5, 2};
-  static constexpr int kEnough = 8;
   bool after_step_;
   LintOptions options_;
   int judged_ = 0;
   int moving_ = 0;  // pairs for which another frame has other poses
-  int small_ = 0;
-  int small_by_[std::size(kFactors)] = {};
+  SmallDepths small_;
   std::map<std::string, int> judged_of_;  // by shape
   std::map<std::string, double> size_of_;
   std::map<Names, int> judged_in_;  // by pair
-  std::set<std::string> moved_;     // shapes that did not stand still in some frame
+  std::map<Names, Types> types_in_;
+  std::set<std::string> moved_;  // shapes that did not stand still in some frame
   WrongPairs wrong_;
   int rounded_ = 0;  // pairs that fit rounded edges alone
+  int kept_ = 0;     // pairs with claims that hold for kept points alone
   std::bitset<kMaxExplanations> has_explained_;
   int all_gathered_ = 0;    // by the last gathered(), within the tolerance or not
   bool is_enough_ = false;  // whether these are so many or so wrong that they have a cause

@@ -44,26 +44,31 @@ const std::vector<Cause>& causes_and_effects() {
 }
 
 /// Mistakes that explain wrong claims come first, effects and unexplained claims late. Engines
-/// approximate some kinds of shapes all the time: that comes after things that come and go.
+/// approximate some kinds of shapes all the time, and are grossly wrong once in thousands of pairs:
+/// that comes after things that come and go, and after edges that are touched within a mesh.
 int rank_of(const Finding& finding) {
-  constexpr double kPart = 0.5;
-  if (!is_reported(finding)) return finding.is_hint ? 8 : 7;
+  enum { Mistake, Poses, Flicker, Edges, Rare, Jumps, Impulses, Small, Approximate, Below, Hint };
+  constexpr double kPart = 0.5, kMany = 0.05, kFew = 0.002;
+  if (!is_reported(finding)) return finding.is_hint ? Hint : Below;
   const auto is = [&](auto... names) { return ((finding.cause == names) || ...); };
-  constexpr double kMany = 0.05;
-  const bool is_often_gross = finding.gross > 0 && finding.count > kMany * finding.of;
+  const auto is_above = [&](double share) { return finding.count > share * finding.of; };
+  const int severe = is_above(kFew) ? Flicker : Rare;
   if (is("separation", "surface", "side", "normal", "deepest"))
-    return finding.is_severe ? 2 : is_often_gross ? 4 : 6;
-  if (is("overlap_without_contact", "pair_never_reported")) return finding.is_severe ? 2 : 5;
+    return finding.is_severe                      ? severe
+           : finding.gross > 0 && is_above(kMany) ? Impulses
+                                                  : Approximate;
+  if (is("overlap_without_contact")) return finding.is_severe ? severe : Small;
+  if (is("pair_never_reported")) return finding.is_severe ? Flicker : Small;
   constexpr double kSmall = 0.01;
-  if (finding.size < kSmall && is("margin_added", "margin_taken_off")) return 5;
-  if (finding.count < kPart * finding.of &&
-      is("points_twice", "ids_alike", "margin_added", "margin_taken_off", "half_depths",
-         "depths_in_centimetres", "depths_in_millimetres"))
-    return 5;
-  if (is("impulses_flicker")) return 4;
-  if (is("normals_jump", "depths_jump", "internal_edge")) return 3;
-  if (is("pairs_flicker", "points_flicker")) return 2;
-  return is("poses_jump") ? 1 : 0;
+  if (finding.size < kSmall && is("margin_added", "margin_taken_off")) return Small;
+  if (!is_above(kPart) && is("points_twice", "ids_alike", "margin_added", "margin_taken_off",
+                             "half_depths", "depths_in_centimetres", "depths_in_millimetres"))
+    return Small;
+  if (is("impulses_flicker")) return Impulses;
+  if (is("normals_jump", "depths_jump")) return Jumps;
+  if (is("internal_edge")) return Edges;
+  if (is("pairs_flicker", "points_flicker")) return Flicker;
+  return is("poses_jump") ? Poses : Mistake;
 }
 
 /// The share of the cases times the size of the error.

@@ -358,6 +358,8 @@ TEST(HeapPanels, EachRankingHasFiveRowsOrAsManyAsFit) {
   const auto one = panel_texts(heap, Panel::Worst, 205, "1 ranking");
   EXPECT_EQ(rows(one), (Counts{{"by overlap", 5}, {"by impulse", 1}}));
   EXPECT_THAT(one, Contains("and 1 more ranking"));
+  EXPECT_LT(rows(panel_texts(heap, Panel::Worst, 140, "2 rankings")).at("by overlap"), 5)
+      << "the note is within the panel too";
   heap.frames.erase(heap.frames.begin());
   for (trace::Pair& pair : heap.frames[0].pairs) pair.manifolds[0].points[0].impulse.reset();
   EXPECT_EQ(rows(panel_texts(heap, Panel::Worst, 160)), (Counts{{"by overlap", 5}}));
@@ -376,6 +378,36 @@ TEST(HeapFocus, BodiesInFocusAreNamed) {
     EXPECT_LT((places[name] - middle).norm(), 1e-9);
   }
   EXPECT_FALSE(places.contains("crate 4"));
+}
+
+/// Without the roles a normal that points from B to A looks right.
+TEST(HeapFocus, BodiesOfThePairInFocusHaveTheirRolesAndOnlyItsRowIsMarked) {
+  Heap heap(6);
+  heap.touch("crate_9", "crate_3", {0, 0.5, 0}, -0.001);
+  heap.view.focus_on = {"crate_3", "crate_9"};
+  std::vector<std::string> texts;
+  for (const Label& label : sketch_frame(heap.staged(), heap.frames[0]).labels)
+    texts.push_back(label.text);
+  EXPECT_THAT(texts, testing::IsSupersetOf({"A: crate 9", "B: crate 3"}));
+  const auto bold = [](const Heap& of) {
+    Heap shown = of;
+    shown.view.panels = {Panel::Worst};
+    const Staging staging = shown.staged();
+    Drawing drawing;
+    Sheet sheet({900, 80, 332, 600}, 1, drawing);
+    make_panels(staging, shown.frames).at(0).content->lay_out({0, {}}, sheet);
+    std::vector<std::string> found;
+    for (const Primitive& one : drawing.primitives)
+      if (const auto* text = std::get_if<Text>(&one); text && text->weight == Weight::Bold)
+        found.push_back(text->text);
+    return found;
+  };
+  EXPECT_THAT(bold(heap), testing::Each(Not(HasSubstr(" and ")))) << "not among the first five";
+  for (trace::Pair& pair : heap.frames[0].pairs)
+    if (pair.a == "crate_9") pair.manifolds[0].points[0].separation = -0.05;
+  EXPECT_THAT(bold(heap), Contains("crate 9 and crate 3"));
+  heap.view.focus_on.clear();
+  EXPECT_THAT(bold(heap), Contains("1")) << "the picture has the numbers";
 }
 
 /// As `--pair crate_14,floor` trims it: seen from so near that the middle of the floor is behind.

@@ -59,6 +59,25 @@ TEST(InternalEdges, AreNamedWhereAFlatFloorPushesSideways) {
   }
 }
 
+/// Once in hundreds of pairs engines are grossly wrong.
+TEST(InternalEdges, AreNamedBeforeAPointThatIsOffOnce) {
+  const auto [shape, height] = sliders(1).front();
+  Trace trace = slide(shape, height, grid(1), 1, false);
+  const std::vector<trace::Frame> frames = trace.frames;
+  for (int n = 1; n < 16; ++n)
+    for (trace::Frame frame : frames) {
+      frame.frame += 41 * n, frame.line += 41 * n, frame.time += 1.025 * n;
+      trace.frames.push_back(frame);
+    }
+  for (trace::Manifold& manifold : trace.frames[20].pairs[0].manifolds)
+    for (trace::Point& point : manifold.points) point.position.y() += 2;
+  const std::vector<std::string> causes = causes_of(lint(trace));
+  const auto edges = std::ranges::find(causes, "internal_edge");
+  const auto off = std::ranges::find(causes, "surface");
+  ASSERT_NE(off, causes.end()) << testing::PrintToString(causes);
+  EXPECT_LT(edges, off) << testing::PrintToString(causes);
+}
+
 // The ridge is real: while the sphere passes, its normal turns from one slope to the other.
 TEST(InternalEdges, AreNotTheEdgesThatASurfaceHas) {
   const std::string ridge =

@@ -105,6 +105,53 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_THAT(page["wrong"].get<std::string>(), HasSubstr("a quantity is missing at the end"));
 }
 
+/// Overlaps of 19.14 to 19.16 mm: where three digits change, rounding must not decide otherwise.
+TEST_F(InChromium, TitleAndTimelineHaveTheSameOverlap) {
+  CrateOnSlab scene = rising();
+  scene.header.title = "{overlap} deep";
+  for (std::size_t f = 0; f < scene.frames.size(); ++f) {
+    trace::Pair& pair = scene.frames[f].pairs[0];
+    pair.manifolds = rising().frames[0].pairs[0].manifolds;
+    pair.state = "touching", pair.separation = -0.01914 - 2e-6 * double(f);
+    for (trace::Point& point : pair.manifolds[0].points) point.separation = pair.separation;
+  }
+  const json page = result(R"(
+    const { data, go } = contactscope;
+    return { both: data.titles.map((title, frame) => {
+      go(frame);
+      return title.replace(' deep', '') + ' = ' + document.querySelector('#timeline span').textContent.replace('overlap ', '');
+    }) };)",
+                           scene);
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  std::set<std::string> different;
+  for (const json& both : page["both"]) {
+    const auto text = both.get<std::string>();
+    different.insert(text);
+    EXPECT_EQ(text.substr(0, text.find(" = ")), text.substr(text.find(" = ") + 3));
+  }
+  EXPECT_EQ(different.size(), 2u) << page;
+}
+
+/// The findings about a pair come before its facts.
+TEST_F(InChromium, ASelectedPairShowsItsFindings) {
+  CrateOnSlab scene = rising();
+  for (trace::Point& point : scene.frames[1].pairs[0].manifolds[0].points) point.separation = 0.5;
+  const json page = result(R"(
+    const { data, select, go } = contactscope, said = () => document.querySelector('#facts .finding')?.textContent ?? '';
+    const finding = data.findings[0];
+    const in_frame = frame => (go(frame), select({ pair: 0 }), said());
+    return { what: finding.what, said: finding.said, frames: finding.places, here: in_frame(finding.index), before: in_frame(0),
+      none: (select({ body: 0 }), said()), open: document.getElementById('findings').open };)",
+                           scene);
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  const auto what = page["what"].get<std::string>();
+  EXPECT_THAT(page["here"].get<std::string>(), testing::StartsWith(what + "In this frame"));
+  EXPECT_THAT(page["here"].get<std::string>(), HasSubstr(page["said"].get<std::string>()));
+  EXPECT_THAT(page["before"].get<std::string>(), testing::StartsWith(what + "Not in this frame"));
+  EXPECT_EQ(page["none"], "");
+  EXPECT_EQ(page["open"], false) << "the link names a frame";
+}
+
 TEST_F(InChromium, SearchStaysAtAFrameThatIsFoundAndGoesOnIfRepeated) {
   const json page = result(R"(
     const { data, state, go } = contactscope, expression = document.getElementById('expression');

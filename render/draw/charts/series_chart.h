@@ -120,7 +120,8 @@ struct TimeSeries : PairSeries {
 };
 
 /// One series per label, or a single one without labels. Bodies without contacts count in all
-/// series.
-std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames);
+/// series. Without ids, which take most of the time if there are many pairs, `ids` and `id_pairs` are
+/// empty.
+std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames, bool with_ids = true);
 
 }  // namespace contactscope::draw

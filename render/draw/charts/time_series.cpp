@@ -46,7 +46,8 @@ std::string measured_by(const trace::Pair& pair) {
   return pair.manifolds.front().axis == "closest_points" ? "shallow" : "deep";
 }
 
-void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group& group) {
+void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, bool with_ids,
+              Group& group) {
   TimeSeries& series = group.series;
   for (const std::string* body : {&pair.a, &pair.b}) group.bodies.insert(*body);
   if (group.query.empty()) group.query = measured_by(pair);
@@ -60,6 +61,7 @@ void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, Group&
   }
   KnownPair& own = entry->second;
   const auto note_id = [&](const trace::Point& point, IdState state) {
+    if (!with_ids) return;
     const auto [row, is_new_id] = own.rows.try_emplace(point.id, series.ids.size());
     if (is_new_id) {
       series.ids.emplace_back(frames, IdState::Absent);
@@ -99,7 +101,7 @@ bool lacks_energies(const std::vector<trace::Frame>& frames) {
 
 }  // namespace
 
-std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
+std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames, bool with_ids) {
   std::vector<Group> groups;  // by label, in order of appearance
   for (std::size_t f = 0; f < frames.size(); ++f) {
     for (const trace::Pair& pair : frames[f].pairs) {
@@ -112,7 +114,7 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames) {
         for (auto* values : {&series.penetration, &series.impulse, &series.points, &series.energy})
           values->assign(frames.size(), 0);
       }
-      add_pair(pair, f, frames.size(), *group);
+      add_pair(pair, f, frames.size(), with_ids, *group);
     }
     for (Group& group : groups) {
       if (!group.query.empty() && !group.last_query.empty() && group.query != group.last_query)

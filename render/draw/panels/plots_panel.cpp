@@ -48,7 +48,7 @@ class PlotsPanel : public PanelContent {
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
-    if (!ids_) gather();
+    if (!is_gathered_) gather();
     sheet.heading("over time");
     if (charts_.empty()) return {};
     const Pen pen(sheet.pen().drawing(), sheet.pen().scale(), kChartText);
@@ -83,7 +83,8 @@ class PlotsPanel : public PanelContent {
  private:
   /// Charts of pair quantities have a line for each pair; other quantities belong to no pair.
   void gather() {
-    const std::vector<TimeSeries> all = time_series(frames_);
+    is_gathered_ = true;
+    const std::vector<TimeSeries> all = time_series(frames_, false);
     // If the view shows loads, impulses are divided by the time step and shown as forces.
     const double step = staging_.view.shows(Layer::Loads) ? staging_.scales.step : 0;
     SeriesChart penetration{"overlap", "m"}, energy{"kinetic energy", "J"},
@@ -97,8 +98,6 @@ class PlotsPanel : public PanelContent {
       impulse.curves.push_back(one.impulse);
       for (double& value : impulse.curves.back()) value /= step > 0 ? step : 1;
     };
-    std::vector<std::vector<IdState>> ids;
-    std::vector<std::size_t> pairs;  // pair of each row; each series continues the numbering
     for (const TimeSeries& one : all) {
       if (energy.total)
         std::ranges::for_each(one.pairs, add);
@@ -106,11 +105,7 @@ class PlotsPanel : public PanelContent {
         add(one);
       energy.curves.push_back(one.energy);
       points.curves.push_back(one.points);
-      ids.insert(ids.end(), one.ids.begin(), one.ids.end());
-      const std::size_t before = pairs.empty() ? 0 : std::ranges::max(pairs) + 1;
-      for (const std::size_t pair : one.id_pairs) pairs.push_back(before + pair);
     }
-    ids_.emplace(ids, pairs);
     if (all.size() == 1 && std::ranges::none_of(all[0].deepest, names_a_copy))
       penetration.subjects = all[0].deepest;
     if (!all.empty()) penetration.changes = all[0].queries;
@@ -121,8 +116,8 @@ class PlotsPanel : public PanelContent {
       const std::string counts = separated(points.curves, ", ", count);
       constants_.push_back("contact points: " + counts + " in every frame");
     }
-    if (ids_->row_count() > 0 && ids_->is_constant() && frames_.size() > 1 &&
-        view.shows(Chart::Ids))
+    if (same_points && frames_.size() > 1 && view.shows(Chart::Ids) && ids().row_count() > 0 &&
+        ids().is_constant())
       constants_.emplace_back("contact points: none changes");
     for (const auto& [chart, kind] : {std::pair{&penetration, Chart::Overlap},
                                       {&energy, Chart::Energy},
@@ -133,6 +128,19 @@ class PlotsPanel : public PanelContent {
       chart->fit();
       charts_.push_back(std::move(*chart));
     }
+  }
+
+  /// Gathered when they are first needed: most of the work in a heap, which has no room for them.
+  const IdHistory& ids() const {
+    if (ids_) return *ids_;
+    std::vector<std::vector<IdState>> ids;
+    std::vector<std::size_t> pairs;  // pair of each row; each series continues the numbering
+    for (const TimeSeries& one : time_series(frames_)) {
+      ids.insert(ids.end(), one.ids.begin(), one.ids.end());
+      const std::size_t before = pairs.empty() ? 0 : std::ranges::max(pairs) + 1;
+      for (const std::size_t pair : one.id_pairs) pairs.push_back(before + pair);
+    }
+    return ids_.emplace(ids, pairs);
   }
 
   /// The name of one of many scattered copies, such as crate 5, means nothing.
@@ -167,31 +175,33 @@ class PlotsPanel : public PanelContent {
   /// 0 if the charts need all the room.
   double strip_height(double room, const Pen& pen) const {
     if (!staging_.view.shows(Chart::Ids)) return 0;
-    if (ids_->row_count() == 0 || (ids_->is_constant() && frames_.size() > 1)) return 0;
-    const auto rows = static_cast<double>(ids_->row_count());
+    const double charts = pen.px(kMinPlot) * static_cast<double>(charts_.size());
     const double share = kStripShare * room;
+    const double least = pen.px(kStripHeading) + std::min<double>(share, pen.px(kMinIdRow));
+    if (room - least < charts) return 0;
+    if (ids().row_count() == 0 || (ids().is_constant() && frames_.size() > 1)) return 0;
+    const auto rows = static_cast<double>(ids().row_count());
     const double wanted = std::min<double>({pen.px(kMaxIdStrip), share, pen.px(kIdRow) * rows});
     const double strip =
         pen.px(kStripHeading) + std::max(wanted, std::min(share, pen.px(kMinIdRow) * rows));
-    const double charts = pen.px(kMinPlot) * static_cast<double>(charts_.size());
     return room - strip < charts ? 0 : strip;
   }
 
   void draw_ids(std::size_t moment, const Rect& strip, const Pen& pen) const {
     const Rect inner = chart_area(strip, kStripHeading, pen);
-    const auto rows = static_cast<double>(ids_->row_count());
-    const bool bands = inner.height < pen.px(kLegibleIdRow) * rows && ids_->pair_count() > 1;
+    const auto rows = static_cast<double>(ids().row_count());
+    const bool bands = inner.height < pen.px(kLegibleIdRow) * rows && ids().pair_count() > 1;
     const auto most = static_cast<std::size_t>(inner.height / pen.px(kMinIdRow));
     const std::string text = !bands ? "points over time, a row each"
-                             : ids_->pair_count() <= most
+                             : ids().pair_count() <= most
                                  ? "points by pair, cut where one changes"
                                  : "points of the first " + std::to_string(most) + " of " +
-                                       std::to_string(ids_->pair_count()) + " pairs";
+                                       std::to_string(ids().pair_count()) + " pairs";
     pen.text(text, pixel(strip.x, strip.y + pen.px(kStripHeading - 6)), Align::Left, kText);
     if (bands) {
-      ids_->draw_bands(inner, moment, most, pen);
+      ids().draw_bands(inner, moment, most, pen);
     } else {
-      ids_->draw_rows(inner, moment, moment + 1, pen);
+      ids().draw_rows(inner, moment, moment + 1, pen);
     }
   }
 
@@ -199,7 +209,8 @@ class PlotsPanel : public PanelContent {
   std::vector<SeriesChart> charts_;
   std::vector<std::string> names_;      // of the curves
   std::vector<std::string> constants_;  // texts for quantities that never change
-  std::optional<IdHistory> ids_;        // set when gathered
+  bool is_gathered_ = false;
+  mutable std::optional<IdHistory> ids_;
 };
 
 }  // namespace

@@ -98,6 +98,7 @@ class WorstPanel : public PanelContent {
     };
     all.front().rows = std::max<std::size_t>(all.front().pairs.size(), 1);
     while (all.size() > 1 && !fits()) all.pop_back();
+    while (all.front().rows > 1 && !fits()) --all.front().rows;
     for (std::size_t rows = 2; rows <= kRankedRows; ++rows)
       for (std::size_t i = 1; i < all.size(); ++i) {
         if (all[i].rows + 1 != rows || rows > all[i].pairs.size()) continue;
@@ -133,16 +134,23 @@ class WorstPanel : public PanelContent {
                      : "none",
                  kText);
     const Pen& pen = sheet.pen();
-    const bool is_numbered = ranking.by == Rank::Overlap;
+    // The picture numbers the pairs and marks the first one, unless others are in focus.
+    const std::vector<std::string>& focus = staging_.view.focus_on;
+    const bool is_numbered = ranking.by == Rank::Overlap && focus.empty();
+    const auto is_in_focus = [&](const std::string& name) {
+      return std::ranges::find(focus, name) != focus.end();
+    };
     for (std::size_t i = 0; i < std::min(rows, ranked.size()); ++i) {
       const Rect row = {sheet.rest().x, sheet.rest().y, sheet.rest().width,
                         static_cast<double>(row_height())};
       const double share = ranked[i].value / ranked.front().value;
       pen.fill({row.x, row.y, share * row.width, row.height - pen.px(2)},
                with_alpha(ranking.color, 0.16f));
-      const bool is_first = is_numbered && i == 0;
-      const Weight weight = is_first ? Weight::Bold : Weight::Regular;
-      const Color ink = is_first ? kContact : kText;
+      const trace::Pair& pair = *ranked[i].pair;
+      const bool is_marked =
+          focus.size() == 2 ? is_in_focus(pair.a) && is_in_focus(pair.b) : is_numbered && i == 0;
+      const Weight weight = is_marked ? Weight::Bold : Weight::Regular;
+      const Color ink = is_marked ? kContact : kText;
       const double baseline = row.y + 0.77 * row.height;
       const std::string value = spelled(ranking.by, frame, ranked[i]);
       pen.text(Said{value}, pixel(row.right() - pen.px(4), baseline), Align::Right, ink, weight);
@@ -153,7 +161,7 @@ class WorstPanel : public PanelContent {
       const float name = pen.px(kNumberColumn);
       const float room =
           static_cast<float>(row.width) - name - pen.px(14) - pen.width_of(Said{value}, weight);
-      pen.text(pen.fitted(pair_name(*ranked[i].pair), weight, room),
+      pen.text(pen.fitted(pair_name(pair), weight, room),
                pixel(row.x + static_cast<double>(name), baseline), Align::Left, ink, weight);
       sheet.skip_to(row.bottom());
     }

@@ -167,12 +167,15 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
                        behind ? "contact point, pale behind a body" : "contact point");
     }
   }
+  // The label of the marked pair names it too, but not which of the two is A.
   for (const std::string& name : scene.view.focus_on) {
-    const bool is_named = marked != nullptr && (name == marked->a || name == marked->b);
-    const PlacedShape* const shape = is_named ? nullptr : scene.find(name);
+    const bool is_marked = marked != nullptr && (name == marked->a || name == marked->b);
+    const PlacedShape* const shape = scene.find(name);
     if (shape == nullptr || shape->vertices.empty()) continue;
+    if (is_marked && (!scene.shows(Layer::Normals) || is_much_larger(scene, *shape))) continue;
+    const std::string role = !is_marked ? "" : name == marked->a ? "A: " : "B: ";
     sketch.begin(name_of(Layer::Names), name);
-    sketch.label(center_of(shape->vertices), name_in_words(name), kText, 16, 0);
+    sketch.label(center_of(shape->vertices), role + name_in_words(name), kText, 16, 0);
   }
   if (!sized) return;
   number_pairs(scene, marked, sketch);

@@ -119,24 +119,28 @@ std::vector<lint::Finding> lint_input(const Input& input, const lint::LintOption
   return lint_scenario(input.scenario, all, options);
 }
 
-void add_faults(const Input& input, const std::vector<int>& drawn, std::vector<View>& views) {
+std::string add_faults(const Input& input, const std::vector<int>& drawn,
+                       std::vector<View>& views) {
   const auto has_faults = [](const View& view) {
     return view.shows(Panel::Lint) || view.focus == Focus::Worst;
   };
-  if (std::ranges::none_of(views, has_faults)) return;
+  if (std::ranges::none_of(views, has_faults)) return {};
   const auto is_drawn = [&](int frame) { return std::ranges::binary_search(drawn, frame); };
   std::vector<Fault> faults;
+  std::string first;
   for (const lint::Finding& one : lint_input(input, {.is_marked = is_drawn})) {
     if (!lint::is_reported(one)) continue;
     Fault& fault = faults.emplace_back(Fault{one.cause, one.count, one.of, one.frame});
     for (const lint::Mark& mark : one.marks)
       if (is_drawn(mark.frame)) fault.places.push_back({mark.frame, mark.a, mark.b, mark.at});
+    if (first.empty() && !one.a.empty() && !fault.places.empty()) first = one.what;
     std::stable_partition(fault.places.begin(), fault.places.end(), [&](const Fault::Place& place) {
       return place.frame == one.frame && place.a == one.a && place.b == one.b;
     });
   }
   for (View& view : views)
     if (has_faults(view)) view.faults = faults;
+  return first;
 }
 
 }  // namespace contactscope::app

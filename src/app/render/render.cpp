@@ -15,6 +15,7 @@
 #include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "vector/font_subset.h"
+#include "view/words.h"
 
 namespace contactscope::app {
 namespace {
@@ -70,6 +71,21 @@ std::string title_of(const trace::Header& header) {
          engine + "{kept:point}, no overlap | " + engine + "nothing touches";
 }
 
+/// Title of a finding, instead of the default one: "Bullet 3.24: contacts of a pair vanish and return
+/// (rock 7 and rock 71)".
+std::string title_of(const trace::Header& header, const std::string& finding,
+                     const Fault::Place& place) {
+  std::string text = header.engine + (header.version.empty() ? ": " : " " + header.version + ": ");
+  if (finding.find("'" + place.a + "'") != std::string::npos)
+    text += finding;
+  else
+    text += finding.substr(0, finding.find(", ")) + " (" + name_in_words(place.a) +
+            (place.b.empty() ? "" : " and " + name_in_words(place.b)) + ")";
+  std::string title;
+  for (const char c : text) title += std::string(c == '{' || c == '}' ? 2 : 1, c);
+  return title;
+}
+
 // Runs the scenario or takes the trace.
 Sequence sequence_of(Input& input, std::vector<View>& views, bool every_stage,
                      const Options& options, RunLog& log) {
@@ -106,8 +122,9 @@ void report_idle_layers(const Input& input, const draw::Staging& staging, const 
 void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,
                     Progress& progress, RunLog& log) {
   const Scenario& scenario = input.scenario;
-  add_faults(input, input.frames, input.scenario.views);
+  const std::string finding = add_faults(input, input.frames, input.scenario.views);
   std::vector<View> views = selected_views(scenario, options);
+  const bool has_title = !input.trace || !input.trace->header.title.empty();
   Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
   if (options.focus == std::vector<std::string>{"worst"} && !views.empty() && !options.frames &&
       !options.strip && options.condition.empty() &&
@@ -115,6 +132,8 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
     const draw::ShapeMeshes meshes(sequence.header.shapes);
     const Fault::Place worst = draw::place_in_focus(views[0], sequence.frames, meshes);
     if (!worst.a.empty()) input.frames = {worst.frame};
+    if (!has_title && !finding.empty())
+      sequence.header.title = title_of(sequence.header, finding, worst);
   }
   if (input.frames.empty()) {
     std::cerr << "in no frame of " << scenario.name << " is there a pair with " << options.condition
