@@ -222,9 +222,8 @@ std::string result_of_phase(Picture& plot) {
       }
     return percent(edges / touching);
   };
-  return "Two edges make the contact in " + by_edges("No preference") + " of the poses, in " +
-         by_edges("Faces preferred") +
-         " if faces are preferred: a pair flips where it crosses a border";
+  return "Two edges make the contact in " + by_edges("No preference") +
+         " of the poses that touch, in " + by_edges("Faces preferred") + " if faces are preferred";
 }
 
 std::string result_of_impacts(Picture& plot) {

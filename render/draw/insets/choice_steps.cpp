@@ -37,6 +37,7 @@ struct ChoicePen : Pen {
   Vec2d middle = middle_of(places);
   LabelPlacer placer{plane.map};
   std::vector<Label> labels{};
+  double winding = 1;  // makes the area of the third point positive, as the fourth's triangle is
 
   void run() {
     for (const Point2& place : places) placer.block(place, px(9));
@@ -45,6 +46,8 @@ struct ChoicePen : Pen {
     if (shown > 0 && shown <= choices.size()) {
       const trace::Choice& choice = choices[shown - 1];
       if (choice.rule == "support" && wanted <= choices.size()) support(choice.direction);
+      for (const trace::Measure& measure : choice.measures)
+        if (measure.point == chosen() && measure.value < 0) winding = -1;
       for (const bool winner : {false, true}) {  // the winner on top
         for (const trace::Measure& measure : choice.measures)
           if ((measure.point == chosen()) == winner) candidate(choice.rule, measure, winner);
@@ -117,7 +120,7 @@ struct ChoicePen : Pen {
     if (grows && !(measure.value < 0)) return;
     const std::string value = rule == "farthest"                 ? spell_length(measure.value)
                               : rule == "deepest" || by_distance ? spell_length(-measure.value)
-                              : rule == "triangle"               ? signed_area(measure.value)
+                              : rule == "triangle"     ? signed_area(winding * measure.value)
                               : rule == "equally_deep" ? spell_area(std::abs(measure.value))
                                                        : spell_area(-measure.value);
     if (grows && winner) return outside(measure, value, by_distance);

@@ -134,10 +134,15 @@ void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (corners.size() > 2)
       sketch.face(corners, with_alpha(kIncidentFace, 0.35f), {5, kIncidentFace});
   }
-  sketch.explain(kTouchingFeatureSwatch,
-                 (shown < last ? "features that are compared, " : "closest features, ") +
-                     spell_length(at(walk, shown).distance) + " apart");
+  sketch.explain(kTouchingFeatureSwatch, shown < last
+                                             ? "features that are compared, " +
+                                                   spell_length(at(walk, shown).distance) + " apart"
+                                             : "closest features");
   if (shown > 0) sketch.explain(kWalkSwatch, "middles of the features before");
+  const trace::Query& query = *pair.query;
+  if (shown == last && query.gap && query.point_a && query.point_b)
+    draw_gap(scene, *query.point_a, *query.point_b, *query.gap, scene.noise(pair), 16,
+             scene.camera.right(), sketch);
 }
 
 void draw_features(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
