@@ -59,11 +59,14 @@ TEST(ContactCells, LabelsOfAChoiceDoNotOverlap) {
   }
 }
 
-TEST(ContactCells, TheThirdChoiceShowsTriangleAreasOnEitherSide) {
+TEST(ContactCells, TheThirdChoiceShowsAreasAcrossTheEdgeAsNegativeWhateverTheWinding) {
   std::vector<ContactMoment> moments = chosen();
-  for (trace::Measure& measure : moments[0].cells[0].choices[2].measures)
-    measure.value = -measure.value;
-  EXPECT_THAT(words(drawn(moments, 0, 1280, 720, 3)), IsSupersetOf({"−0.5000 m²", "+0.2500 m²"}));
+  for (const bool turned : {false, true}) {
+    EXPECT_THAT(words(drawn(moments, 0, 1280, 720, 3)), IsSupersetOf({"+0.5000 m²", "−0.2500 m²"}))
+        << turned;
+    for (trace::Measure& measure : moments[0].cells[0].choices[2].measures)
+      measure.value = -measure.value;
+  }
 }
 
 TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
