@@ -33,7 +33,8 @@ TEST(Render, WritesASequenceUnderGroupAndIdea) {
   EXPECT_EQ(image.height, 180);
 }
 
-TEST(Render, EglAndOsmesaGiveTheSameFilesForEveryScenario) {
+// Pixels, not bytes: once in some ten thousand pictures ISA-L chooses another match of equal bytes.
+TEST(Render, EglAndOsmesaGiveTheSamePixelsForEveryScenario) {
   if (!test::osmesa_is_installed()) GTEST_SKIP() << "no OSMesa";
   const TemporaryFolder folder;
   for (const char* backend : {"egl", "osmesa"}) {
@@ -45,7 +46,7 @@ TEST(Render, EglAndOsmesaGiveTheSameFilesForEveryScenario) {
   EXPECT_GE(files.size(), 10u);
   EXPECT_EQ(files, files_below(folder / "osmesa"));
   for (const std::string& file : files) {
-    EXPECT_TRUE(read_text(folder / ("egl/" + file)) == read_text(folder / ("osmesa/" + file)))
+    EXPECT_TRUE(read_png(folder / ("egl/" + file)) == read_png(folder / ("osmesa/" + file)))
         << file;
   }
 }
