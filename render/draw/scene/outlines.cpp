@@ -213,7 +213,7 @@ std::vector<Outline> with_shared_corners(std::vector<Outline> pieces) {
     // Filled as a fan about its first corner, next to which no corner should be on a line.
     for (std::size_t i = 0; i < joined.size(); ++i) {
       if (!begins_whole[i] || !begins_whole[(i + joined.size() - 1) % joined.size()]) continue;
-      std::ranges::rotate(joined, joined.begin() + static_cast<std::ptrdiff_t>(i));
+      std::rotate(joined.begin(), joined.begin() + static_cast<std::ptrdiff_t>(i), joined.end());
       break;
     }
     piece = std::move(joined);
