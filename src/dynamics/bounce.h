@@ -64,8 +64,8 @@ struct BounceEnergy {
   double began = 0, stopped = 0, bounced = 0;
   double of_change = 0;  // at the differences between the last two velocities
 
-  /// Share of the bounce that adds no energy to that of the beginning. If the velocities of the stop
-  /// push overlaps apart, with more energy, it is all or nothing.
+  /// Share of the bounce that adds no energy to that of the beginning. If the stop itself has more
+  /// energy, because it pushes overlaps out, the bounce is kept whole or given up.
   double share(double epsilon) const {
     const double lost = began - stopped;
     if (lost < 0) return bounced > 1.001 * began ? 0 : 1;
@@ -117,7 +117,7 @@ void limit_bounces(std::span<SolverBody<S>> bodies, std::vector<ContactConstrain
     for (ConstraintPoint<S>& point : contact.points) {
       point.normal_impulse =
           point.stopped_impulse + share * (point.normal_impulse - point.stopped_impulse);
-      if (share == 0) point.bounce = 0;
+      if (share == 0) point.bounce = 0;  // it relaxes like points that do not bounce
     }
   }
 }

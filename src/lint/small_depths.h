@@ -1,13 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "lint/claims.h"
 #include "lint/linter.h"
 
