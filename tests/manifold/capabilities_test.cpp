@@ -9,6 +9,7 @@
 #include "manifold/placed_shapes.h"
 #include "query/overlap.h"
 #include "query/penetration.h"
+#include "query/v_clip.h"
 
 namespace contactscope {
 namespace {
@@ -112,9 +113,14 @@ Said query_pair(QueryMethod method, QueryKind query, const PlacedShapes& pair) {
   }
   const Core a = core_of(pair.a), b = core_of(pair.b);
   const Pose<double> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
-  const GjkResult<double> separated = gjk(a.set, b.set, b_in_a);
-  double separation = separated.distance - (a.radius + b.radius);
-  if (method != QueryMethod::Gjk) {
+  double separation = 0;
+  if (method == QueryMethod::VClip) {
+    separation =
+        v_clip(std::get<Hull<double>>(pair.a), std::get<Hull<double>>(pair.b), b_in_a).distance;
+  } else {
+    separation = gjk(a.set, b.set, b_in_a).distance - (a.radius + b.radius);
+  }
+  if (method != QueryMethod::Gjk && method != QueryMethod::VClip) {
     constexpr PenetrationMethod kMethods[] = {PenetrationMethod::Sat, PenetrationMethod::Epa,
                                               PenetrationMethod::Mpr, PenetrationMethod::Sampling};
     const auto index =
