@@ -121,6 +121,10 @@ PanelColumn::PanelColumn(const draw::Staging& staging, const std::vector<trace::
       panels_(draw::make_panels(staging, frames)),
       windows_(layout_.width, layout_.height, layout_.scale) {}
 
+void PanelColumn::renew(const draw::Staging& staging, const std::vector<trace::Frame>& frames) {
+  panels_ = draw::make_panels(staging, frames);
+}
+
 std::vector<std::string> PanelColumn::add(const draw::PanelMoment& moment, draw::Drawing& drawing) {
   draw::Drawing contents;
   contents.words = layout_.words;

@@ -39,6 +39,9 @@ class PanelColumn {
  public:
   PanelColumn(const draw::Staging& staging, const std::vector<trace::Frame>& frames);
 
+  /// Makes the panels again, because the frames have changed.
+  void renew(const draw::Staging& staging, const std::vector<trace::Frame>& frames);
+
   /// Adds the panels of one picture. Returns what does not fit, "panel plots" or "2 pairs of panel
   /// summary"; the picture notes it too.
   std::vector<std::string> add(const draw::PanelMoment& moment, draw::Drawing& drawing);

@@ -42,6 +42,8 @@ class Camera {
   /// Pixels that one metre covers at right angles to the view at `point`.
   double pixels_per_metre(const Vec3d& point) const;
 
+  bool operator==(const Camera&) const = default;
+
  private:
   Camera(const Vec3d& eye, const Vec3d& target, const Vec3d& up, const Rect& viewport,
          bool perspective, double scale);

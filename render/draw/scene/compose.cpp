@@ -25,9 +25,9 @@ struct Composer {
   const Camera& camera;
   const Layout& layout;
   Drawing& drawing;
+  const HiddenLines& hidden_lines;
   Pen pen{drawing, layout.scale, 0};
   LabelPlacer placer{layout.view};
-  HiddenLines hidden_lines{camera, sketch.occluders, sketch.shadows, sketch.bodies};
   std::size_t current = 0;  // index of the sketch part that is being drawn
   // Ranges of x where the upper and the lower border of the view cut off bodies.
   std::array<std::optional<std::pair<float, float>>, 2> cuts{};
@@ -413,8 +413,16 @@ struct Composer {
 
 }  // namespace
 
+const HiddenLines& hidden_lines_of(const Sketch& sketch, const Camera& camera) {
+  const std::array counts{sketch.occluders.size(), sketch.shadows.size(), sketch.bodies.size()};
+  if (!sketch.hidden_lines || !sketch.hidden_lines->is_for(camera, counts))
+    sketch.hidden_lines =
+        std::make_shared<HiddenLines>(camera, sketch.occluders, sketch.shadows, sketch.bodies);
+  return *sketch.hidden_lines;
+}
+
 void compose(const Sketch& sketch, const Camera& camera, const Layout& layout, Drawing& drawing) {
-  Composer{sketch, camera, layout, drawing}.run();
+  Composer{sketch, camera, layout, drawing, hidden_lines_of(sketch, camera)}.run();
 }
 
 }  // namespace contactscope::draw

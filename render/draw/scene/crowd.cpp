@@ -143,7 +143,7 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
   };
   // Specks of points behind bodies would seem to be in front of them. A contact point is inside
   // both bodies, so a point just behind their surface counts as visible.
-  const HiddenLines bodies(scene.camera, sketch.occluders, sketch.shadows, sketch.bodies);
+  const HiddenLines& bodies = hidden_lines_of(sketch, scene.camera);
   const auto is_behind = [&](const Vec3d& at) {
     const double metres = kWithin * scene.scales.pixel / scene.camera.pixels_per_metre(at);
     const Vec3d before = at + metres * scene.camera.to_eye(at).normalized();

@@ -43,6 +43,7 @@ struct Painter {
   std::vector<Surface>& result;
   std::deque<Item> pieces{};                 // cut pieces, at stable addresses
   std::vector<std::pair<int, int>> sides{};  // of the current region: nearer and farther body
+  std::vector<Items> spare{};                // empty lists, so that few are allocated
 
   // Small surfaces outside of the box around all others are sorted separately.
   void paint_separately(Items items, std::span<const Plane<double>> box) {
@@ -50,7 +51,7 @@ struct Painter {
       paint(std::move(items));
       return;
     }
-    auto [front, back, on] = part(box.front(), items);
+    auto [front, back, on] = part(box.front(), std::move(items));
     back.insert(back.end(), on.begin(), on.end());
     const bool eye_in_front = in_front(box.front());
     if (!eye_in_front) paint(std::move(front));
@@ -63,10 +64,7 @@ struct Painter {
   };
 
   void paint(Items items) {
-    if (items.size() < 2) {
-      put(items);
-      return;
-    }
+    if (items.size() < 2) return put(std::move(items));
     const Listed largest = *std::ranges::max_element(items, {}, &Listed::area);
     if (largest->surface.body != kFlatSurface) {
       paint_small(items);
@@ -76,15 +74,24 @@ struct Painter {
     }
     const Plane<double> plane = largest->plane;
     largest->parts = true;
-    auto [front, back, on] = part(plane, items);
+    auto [front, back, on] = part(plane, std::move(items));
     if (in_front(plane)) std::swap(front, back);
     paint(std::move(front));
-    put(on);
+    put(std::move(on));
     paint(std::move(back));
   }
 
-  void put(const Items& items) {
+  void put(Items items) {
     for (const Listed& item : items) result.push_back(std::move(item->surface));
+    items.clear();
+    spare.push_back(std::move(items));
+  }
+
+  Items empty_list() {
+    if (spare.empty()) return {};
+    Items list = std::move(spare.back());
+    spare.pop_back();
+    return list;
   }
 
   // Sorts small surfaces by their middles.
@@ -115,7 +122,7 @@ struct Painter {
           std::lower_bound(one + 1, present.end(), *one == first ? second : *one + 1);
       if (other == present.end()) continue;
       const Plane<double> plane = power_plane(at(bodies, *one), at(bodies, *other));
-      auto [front, back, on] = part(plane, items);
+      auto [front, back, on] = part(plane, std::move(items));
       back.insert(back.end(), on.begin(), on.end());
       const auto paint_side = [&](Items& side, int nearer, int farther) {
         sides.emplace_back(nearer, farther);
@@ -136,7 +143,7 @@ struct Painter {
       std::ranges::stable_sort(items, {},
                                [&](const Listed& item) { return at(before, item->surface.body); });
     }
-    put(items);
+    put(std::move(items));
   }
 
   bool in_front(const Plane<double>& plane) const {
@@ -144,8 +151,8 @@ struct Painter {
     return camera.to_eye(on_plane).dot(plane.normal) > 0;
   }
 
-  Parts part(const Plane<double>& plane, const Items& items) {
-    Parts parts;
+  Parts part(const Plane<double>& plane, Items items) {
+    Parts parts{empty_list(), empty_list(), empty_list()};
     for (const Listed& item : items) {
       const double middle = plane.distance(item.middle);
       if (std::abs(middle) > item.reach + 2 * tolerance) {
@@ -177,6 +184,8 @@ struct Painter {
             .push_back({&piece, item.middle, item.reach, item.area});
       }
     }
+    items.clear();
+    spare.push_back(std::move(items));
     return parts;
   }
 };

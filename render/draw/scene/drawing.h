@@ -53,6 +53,7 @@ struct Segment2 {
 struct Rect {
   double x = 0, y = 0, width = 0, height = 0;
 
+  bool operator==(const Rect&) const = default;
   double right() const { return x + width; }
   double bottom() const { return y + height; }
   bool contains(const Point2& p) const {

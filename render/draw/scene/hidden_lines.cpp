@@ -16,13 +16,23 @@ constexpr double kEdgeOn = 1e-12;
 constexpr double kSeam = 8;
 // If there are more occluders, as in a terrain, a grid on the screen finds those near a line.
 constexpr std::size_t kManyOccluders = 96;
-constexpr int kColumns = 48, kRows = 32;
+constexpr int kColumns = 96, kRows = 64;
 constexpr std::size_t kManyBodies = 12;
 
 /// Column and row of the cell at or nearest to a place, in cells.
 Eigen::Vector2i cell_at(const Eigen::Vector2d& place) {
   return {static_cast<int>(std::clamp(place.x(), 0.0, kColumns - 1.0)),
           static_cast<int>(std::clamp(place.y(), 0.0, kRows - 1.0))};
+}
+
+/// A box in float around a box in double.
+Eigen::AlignedBox2f around(const Eigen::AlignedBox2d& box) {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  const auto toward = [](const Eigen::Vector2d& corner, float end) {
+    return Eigen::Vector2f(std::nextafter(static_cast<float>(corner.x()), end),
+                           std::nextafter(static_cast<float>(corner.y()), end));
+  };
+  return {toward(box.min(), -kFar), toward(box.max(), kFar)};
 }
 
 /// Corners of a rectangle on the screen that holds the body; nothing if a part may be behind the eye.
@@ -40,12 +50,28 @@ std::vector<Point2> corners_around(const RoundBody& body, const Camera& camera) 
   return corners;
 }
 
+/// Whether the intervals cover [0, 1].
+bool covers_all(std::span<const std::pair<double, double>> intervals) {
+  double reached = 0;
+  for (bool grows = true; grows && reached < 1;) {
+    grows = false;
+    for (const auto& [first, last] : intervals) {
+      if (first > reached || last <= reached) continue;
+      reached = last;
+      grows = true;
+    }
+  }
+  return reached >= 1;
+}
+
 }  // namespace
 
 HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
                          const std::vector<ConvexShadow>& shadows,
                          const std::vector<RoundBody>& bodies)
-    : camera_(camera), cells_(kColumns * kRows) {
+    : camera_(camera),
+      given_{occluders.size(), shadows.size(), bodies.size()},
+      cells_(kColumns * kRows) {
   // Adds the shadow of the bounds from `begin` on, and puts it into the cells of the box around its
   // corners; without any it is everywhere.
   const auto put = [&](std::size_t begin, std::span<const Point2> seen,
@@ -53,15 +79,16 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     const int index = count_of(shadows_);
     const Box box = box_of(seen);
     const std::size_t end = bounds_.size();
-    shadows_.push_back({begin, end, end, {}, box, camera.to_camera(place).norm()});
+    shadows_.push_back({begin, end, end, {}, camera.to_camera(place).norm()});
     if (seen.empty()) {
       everywhere_.push_back(index);
       return shadows_.back();
     }
     const Eigen::Vector2i first = cell_at(box.min()), last = cell_at(box.max());
+    const Near near{around(box), index, first.cast<std::int16_t>()};
     for (int row = first.y(); row <= last.y(); ++row)
       for (int column = first.x(); column <= last.x(); ++column)
-        at(cells_, row * kColumns + column).push_back(index);
+        at(cells_, row * kColumns + column).push_back(near);
     return shadows_.back();
   };
   const bool many_bodies = shadows.size() >= kManyBodies && bodies.size() == shadows.size();
@@ -111,9 +138,10 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     }
     put(begin, seen, middle);
   }
-  for (std::vector<int>& cell : cells_)
-    std::ranges::sort(cell, {},
-                      [&](int index) { return std::pair(at(shadows_, index).away, index); });
+  for (std::vector<Near>& cell : cells_)
+    std::ranges::sort(cell, {}, [&](const Near& near) {
+      return std::pair(at(shadows_, near.shadow).away, near.shadow);
+    });
 }
 
 HiddenLines::Box HiddenLines::box_of(std::span<const Point2> points) const {
@@ -127,9 +155,8 @@ HiddenLines::Box HiddenLines::box_of(std::span<const Point2> points) const {
 
 std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
   std::vector<std::pair<double, double>> hidden;
-  // Whether the shadow hides the whole line, so that no other one matters.
-  const auto hides_all = [&](int index) {
-    const Shadow& shadow = at(shadows_, index);
+  // Whether the shadows so far hide the whole line, so that no other one matters.
+  const auto hides_all = [&](const Shadow& shadow) {
     double first = 0, last = 1;
     for (std::size_t i = shadow.begin; i < shadow.end; ++i) {
       if (i == shadow.sides && std::ranges::all_of(shadow.behind, [&](const Plane<double>& plane) {
@@ -144,22 +171,25 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
       if (!(first < last)) return false;
     }
     hidden.emplace_back(first, last);
-    return first == 0 && last == 1;
+    return covers_all(hidden);
   };
   const Span whole{0, 1, true};
-  if (std::ranges::any_of(everywhere_, hides_all)) return {whole};
+  for (const int index : everywhere_)
+    if (hides_all(at(shadows_, index))) return {whole};
   if (const auto seen = everywhere_.size() == shadows_.size()
                             ? std::nullopt
                             : project_segment(camera_, from, to)) {
     const Box line = box_of(std::array{seen->from, seen->to});
+    const Eigen::AlignedBox2f rounded = around(line);
     const Eigen::Vector2i first = cell_at(line.min()), last = cell_at(line.max());
     for (int row = first.y(); row <= last.y(); ++row)
       for (int column = first.x(); column <= last.x(); ++column)
-        for (const int index : at(cells_, row * kColumns + column)) {
+        for (const Near& near : at(cells_, row * kColumns + column)) {
           // A shadow counts only in the first cell that it shares with the line.
-          const Box both = at(shadows_, index).box.intersection(line);
-          if (both.isEmpty() || cell_at(both.min()) != Eigen::Vector2i(column, row)) continue;
-          if (hides_all(index)) return {whole};
+          if (near.box.intersects(rounded) && std::max<int>(near.first.x(), first.x()) == column &&
+              std::max<int>(near.first.y(), first.y()) == row &&
+              hides_all(at(shadows_, near.shadow)))
+            return {whole};
         }
   }
   std::ranges::sort(hidden);

@@ -109,8 +109,9 @@ struct Sketch {
   std::vector<SketchPart> parts;  // in order; elements before the first belong to no part
   std::vector<Surface> surfaces;
   Occluders occluders;
-  std::vector<RoundBody> bodies;      // round bodies of the surfaces
-  std::vector<ConvexShadow> shadows;  // of round bodies
+  std::vector<RoundBody> bodies;                              // round bodies of the surfaces
+  std::vector<ConvexShadow> shadows;                          // of round bodies
+  mutable std::shared_ptr<const HiddenLines> hidden_lines{};  // the last of hidden_lines_of()
   std::vector<Curve> curves;
   std::vector<Line> lines;
   std::vector<Arrow> arrows;
@@ -182,6 +183,9 @@ struct Sketch {
     legend.explain(swatch, text, anchor);
   }
 };
+
+/// Finds what the sketch hides from a camera. Kept in the sketch until that changes.
+const HiddenLines& hidden_lines_of(const Sketch& sketch, const Camera& camera);
 
 /// Draws a mark. Returns the radius that labels avoid, canvas pixels; 0: labels may cover it.
 float draw_mark(MarkKind kind, const Point2& at, const Color& color, const Pen& pen,

@@ -105,6 +105,11 @@ class HiddenLines {
               const std::vector<ConvexShadow>& shadows = {},
               const std::vector<RoundBody>& bodies = {});
 
+  /// Whether it was made for as many occluders, shadows and bodies, seen by the same camera.
+  bool is_for(const Camera& camera, std::array<std::size_t, 3> counts) const {
+    return camera == camera_ && counts == given_;
+  }
+
   /// Visible and hidden parts in order, covering [0, 1]; valid inside the view.
   std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;
 
@@ -114,18 +119,24 @@ class HiddenLines {
     std::size_t begin = 0, end = 0;  // of its bounds
     std::size_t sides = 0;           // the first bound that what is behind meets; or `end`
     std::vector<Plane<double>> behind{};
-    Box box{};
     double away = 0;  // from the eye
+  };
+  /// What a line meets in a cell: most shadows in it are rejected by their boxes.
+  struct Near {
+    Eigen::AlignedBox2f box;  // around the shadow's corners
+    int shadow;
+    Eigen::Matrix<std::int16_t, 2, 1> first;  // the shadow's first cell
   };
 
   Box box_of(std::span<const Point2> points) const;
 
   Camera camera_;
+  std::array<std::size_t, 3> given_;
   std::vector<Plane<double>> bounds_;  // of all shadows, concatenated
   std::vector<Shadow> shadows_;
-  std::vector<int> everywhere_;          // shadows that are checked for all lines
-  std::vector<std::vector<int>> cells_;  // the other shadows, by screen cell, the nearest first
-  double border_ = 0;                    // metres
+  std::vector<int> everywhere_;           // shadows that are checked for all lines
+  std::vector<std::vector<Near>> cells_;  // the other shadows, by screen cell, the nearest first
+  double border_ = 0;                     // metres
 };
 
 }  // namespace contactscope::draw

@@ -93,6 +93,7 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
   std::optional<overlay::PanelColumn> panels;
   const auto start_panels = [&] {
     if (staging.view.panels.empty()) return;
+    if (panels) return panels->renew(staging, sequence.frames);
     const Timed timed(log_, "start Dear ImGui");
     panels.emplace(staging, sequence.frames);
   };
