@@ -154,6 +154,18 @@ bool is_kept(const Moments& frames, const trace::Pair& pair, const trace::Manifo
 
 }  // namespace
 
+bool have_their_size(const Reading& reading, const Verdict& verdict) {
+  constexpr double kAbout = 1.25;
+  if (reading.separation_scale == 1 && !reading.separations_negated) return true;
+  double largest = 0, measured = 0;
+  for (std::size_t i = 0; i < verdict.separations.size(); ++i) {
+    const double is = std::abs(verdict.separations[i]);
+    const double said = std::abs(verdict.separations[i] - verdict.deeper[i]);
+    if (said > largest) largest = said, measured = is;
+  }
+  return largest <= kAbout * measured && measured <= kAbout * largest;
+}
+
 void Solids::add(const trace::Shape& shape) {
   try {
     solids_.insert_or_assign(shape.name, Solid(shape));

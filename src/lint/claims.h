@@ -43,6 +43,10 @@ struct Verdict {
   int kept = 0;                     // claims that hold for points kept from earlier frames alone
 };
 
+/// Whether the largest separation, read with another sign or unit, has the size of the measured
+/// one. Any small number is near enough for surfaces that nearly touch.
+bool have_their_size(const Reading& reading, const Verdict& verdict);
+
 /// The shapes of a trace by name. Degenerate shapes are left out and listed in `refused`.
 class Solids {
  public:

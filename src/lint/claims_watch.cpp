@@ -41,20 +41,6 @@ double common_depth(const Verdict& verdict) {
   return is_common && std::abs(middle) > verdict.tolerance ? middle : 0;
 }
 
-/// Whether the largest separation, read with another sign or unit, has the size of the measured
-/// one. Any small number is near enough for surfaces that nearly touch.
-bool have_their_size(const Reading& reading, const Verdict& verdict) {
-  constexpr double kAbout = 1.25;
-  if (reading.separation_scale == 1 && !reading.separations_negated) return true;
-  double largest = 0, measured = 0;
-  for (std::size_t i = 0; i < verdict.separations.size(); ++i) {
-    const double is = std::abs(verdict.separations[i]);
-    const double said = std::abs(verdict.separations[i] - verdict.deeper[i]);
-    if (said > largest) largest = said, measured = is;
-  }
-  return largest <= kAbout * measured && measured <= kAbout * largest;
-}
-
 /// Whether a mistake may be made in a single frame: not one of units, axes, shapes or moments.
 bool may_be_rare(Reading reading) {
   reading.normals_flipped = reading.separations_negated = reading.sides_swapped = false;
@@ -83,8 +69,13 @@ class ClaimsWatch final : public Watch {
     if (kept_ > 0) findings.push_back(hint);
     small_.report(findings);
     while (report_best_explanation(findings)) continue;
-    // If a cause explains nearly all pairs, the others mostly share it and have another error too.
-    if (wrong_.untold() < kFewLeft * wrong_.count()) return;
+    // If a cause explains nearly all pairs, the others mostly share it and have another error too:
+    // if it is one of some kinds of pairs, the others of these kinds.
+    if (wrong_.untold() < kFewLeft * wrong_.count()) {
+      if (is_of_all_kinds_) return;
+      for (WrongPair& wrong : wrong_)
+        wrong.record = wrong.record || explained_kinds_.contains(types_in_[{wrong.a, wrong.b}]);
+    }
     // A margin is a size of round shapes too.
     if (!report_margin(findings))
       while (report_size(findings)) continue;
@@ -297,6 +288,10 @@ class ClaimsWatch final : public Watch {
           gathered(mistake->name, mistake->what + where, mistake->remedy, is_explained));
     if (!is_enough_) return false;
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || is_explained(wrong);
+    if (is_of_types)
+      explained_kinds_.insert(*types.begin());
+    else
+      is_of_all_kinds_ = true;
     for (Finding& one : named) {
       one.below.clear();
       const auto same = std::ranges::find(findings, one.cause, &Finding::cause);
@@ -437,8 +432,10 @@ class ClaimsWatch final : public Watch {
   int rounded_ = 0;  // pairs that fit rounded edges alone
   int kept_ = 0;     // pairs with claims that hold for kept points alone
   std::bitset<kMaxExplanations> has_explained_;
-  int all_gathered_ = 0;    // by the last gathered(), within the tolerance or not
-  bool is_enough_ = false;  // whether these are so many or so wrong that they have a cause
+  std::set<Types> explained_kinds_;  // by causes of one kind of pairs
+  bool is_of_all_kinds_ = false;     // whether some cause is not
+  int all_gathered_ = 0;             // by the last gathered(), within the tolerance or not
+  bool is_enough_ = false;           // whether these are so many or so wrong that they have a cause
 };
 
 }  // namespace

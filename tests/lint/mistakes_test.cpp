@@ -264,6 +264,30 @@ TEST(Lint, FramesThatAreMissingAreNoFault) {
   EXPECT_THAT(causes_of(lint(trace)), IsEmpty());
 }
 
+/// As MuJoCo halves the depths of two boxes: that is no reason to overlook a ball.
+TEST(Lint, AnErrorOfAnotherKindOfPairsIsNamedToo) {
+  Trace trace = heap();
+  const auto type_of = [&](const std::string& name) {
+    return std::ranges::find(trace.header.shapes, name, &trace::Shape::name)->type;
+  };
+  each_point(trace, [&](auto&, const trace::Pair& pair, trace::Point& point) {
+    if (type_of(pair.a) == "box" && type_of(pair.b) == "box") point.separation *= 0.5;
+  });
+  const auto has_ball = [&](const trace::Pair& pair) {
+    return !pair.manifolds.empty() && type_of(pair.b) == "sphere";
+  };
+  std::vector<trace::Pair>& pairs = trace.frames[40].pairs;
+  const auto changed = std::ranges::find_if(pairs, has_ball);
+  ASSERT_NE(changed, pairs.end());
+  for (trace::Point& point : changed->manifolds[0].points) point.separation -= 0.1;
+  const std::vector<Finding> findings = lint(trace);
+  EXPECT_THAT(causes_of(findings), testing::UnorderedElementsAre("half_depths", "separation"));
+  const auto separation = std::ranges::find(findings, "separation", &Finding::cause);
+  ASSERT_NE(separation, findings.end());
+  EXPECT_EQ(separation->line, 42);
+  EXPECT_EQ(separation->a + separation->b, changed->a + changed->b);
+}
+
 TEST(Lint, TwoMistakesAtOnceAreBothNamed) {
   Trace trace = heap();
   flip_normals(trace);
