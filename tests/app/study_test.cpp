@@ -165,7 +165,7 @@ TEST(Study, UsageErrorsAreTrouble) {
 
 TEST(Study, CtrlCExitsWith130AndLeavesNoFile) {
   const TemporaryFolder folder;
-  const ProgramRun result = run("study stability --cases 1000 --out '" + (folder / "out") + "'",
+  const ProgramRun result = run("study stability --cases 100 --out '" + (folder / "out") + "'",
                                 "timeout -s INT --preserve-status 0.5");
   EXPECT_EQ(result.exit_code, 130);
   EXPECT_THAT(files_below(folder / "out"), IsEmpty());

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "broadphase/random_boxes.h"
+#include "support/cases.h"
 
 namespace contactscope {
 namespace {
@@ -104,7 +105,7 @@ TEST_P(EveryBroadPhase, SlowFindsThePairsOfBruteForceAfterAMillionOperations) {
 TEST_P(EveryBroadPhase, AgreesOnScenesOfThousands) {
   for (const Spread spread : {Spread::Uniform, Spread::Clustered, Spread::Lattice}) {
     RandomBoxes random(spread, 14, 5);
-    for (int i = 0; i < 1500; ++i) phase_->add(random.box());
+    for (int i = 0; i < test::cases(1500); ++i) phase_->add(random.box());
     EXPECT_EQ(phase_->pairs(), pairs_by_definition(*phase_));
     for (int i = 0; i < phase_->handles(); ++i) phase_->move(i, random.box());
     EXPECT_EQ(phase_->pairs(), pairs_by_definition(*phase_)) << "all teleported";

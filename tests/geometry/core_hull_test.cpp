@@ -9,6 +9,7 @@
 #include "geometry/hull_builder.h"
 #include "geometry/hull_checks.h"
 #include "geometry/primitives.h"
+#include "support/cases.h"
 #include "support/random_geometry.h"
 
 namespace contactscope::test {
@@ -74,7 +75,7 @@ TEST(CoreHull, ABoxGivesASmallerBoxWithTheSameFeatureIds) {
 
 TEST(CoreHull, IsTheIntersectionOfTheMovedHalfSpaces) {
   Random random(3);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < test::cases(60); ++i) {
     const double size = random.decade(-4, 4);
     const Hull<double> hull = random_hull(random, 6 + random.index(10), size, 10);
     const CoreHull core = core_hull(hull, size * random.decade(-4, 0));

@@ -8,6 +8,7 @@
 #include "geometry/hull_builder.h"
 #include "geometry/mesh_seams.h"
 #include "geometry/primitives.h"
+#include "support/cases.h"
 #include "support/tiled_floor.h"
 
 namespace contactscope::test {
@@ -60,7 +61,7 @@ TEST(ShapeSeams, InnerFacesOfAFloorOfHullsAreCoveredAndItsTopContinues) {
   Random random(3720);
   int covered = 0, continued = 0, ended = 0;
   for (const double size : {1e-4, 1.0, 1e4}) {
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < test::cases(20); ++i) {
       const TiledFloor floor(random, size, 0);
       std::vector<Shape<double>> parts = parts_of(floor, size);
       const Pose<double> by = random.pose(size);
@@ -93,16 +94,16 @@ TEST(ShapeSeams, InnerFacesOfAFloorOfHullsAreCoveredAndItsTopContinues) {
       }
     }
   }
-  EXPECT_GT(covered, 1000);
-  EXPECT_GT(continued, 1000);
-  EXPECT_GT(ended, 500);
+  EXPECT_GT(covered, 1000 / test::kOneIn);
+  EXPECT_GT(continued, 1000 / test::kOneIn);
+  EXPECT_GT(ended, 500 / test::kOneIn);
 }
 
 TEST(ShapeSeams, MeshesContinueEachOtherAtInnerEdges) {
   Random random(3721);
   int across = 0;
   for (const double size : {1e-4, 1.0, 1e4}) {
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < test::cases(20); ++i) {
       const TiledFloor floor(random, size, 1e-7 * size);
       std::vector<Shape<double>> parts = parts_of(floor, 0);
       const Pose<double> by = random.pose(size);
@@ -128,7 +129,7 @@ TEST(ShapeSeams, MeshesContinueEachOtherAtInnerEdges) {
       }
     }
   }
-  EXPECT_GT(across, 1000);
+  EXPECT_GT(across, 1000 / test::kOneIn);
 }
 
 TEST(ShapeSeams, FacesThatAreCoveredInPartAreNotCovered) {

@@ -11,6 +11,7 @@
 #include "geometry/primitives.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
+#include "support/cases.h"
 
 namespace contactscope {
 namespace {
@@ -74,7 +75,7 @@ template <class S> void expect_four_corners(test::Random& random, double size, d
 TEST(MergeTriangles, ABoxOnAFineFloorHasItsFourCorners) {
   test::Random random(370);
   for (const double size : {1e-4, 1e-2, 1.0, 1e2, 1e4})
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < test::cases(20); ++i) {
       expect_four_corners<float>(random, size, 1e-5);
       expect_four_corners<double>(random, size, 1e-13);
     }
@@ -137,7 +138,7 @@ TEST(MergeTriangles, OnATerrainTheyKeepTheDeepestPointAndInventNone) {
   int merged = 0, limited = 0;
   for (const double size : {1e-4, 1.0, 1e4}) {
     const Mesh<double> terrain = make_grid(4 * size, 4 * size, 24, 24, 0.3 * size);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < test::cases(400); ++i) {
       const PlacedShapes pair = random_on_terrain(random, terrain, size);
       const Manifolds<double> triangles = manifolds_of(pair, kByTriangle);
       const Manifolds<double> found = manifolds_of(pair, kMerged);
@@ -162,8 +163,8 @@ TEST(MergeTriangles, OnATerrainTheyKeepTheDeepestPointAndInventNone) {
       merged += triangles.size() > found.size() ? 1 : 0;
     }
   }
-  EXPECT_GT(merged, 100);
-  EXPECT_GT(limited, 100);
+  EXPECT_GT(merged, 100 / test::kOneIn);
+  EXPECT_GT(limited, 100 / test::kOneIn);
 }
 
 TEST(MergeTriangles, WithoutAReducerEveryPointOfEveryTriangleRemains) {
@@ -175,7 +176,7 @@ TEST(MergeTriangles, WithoutAReducerEveryPointOfEveryTriangleRemains) {
   int most = 0;
   // Flat, so that a merged point keeps its normal and depth.
   const Mesh<double> floor = make_grid(4, 4, 40, 40, 0);
-  for (int i = 0; i < 25; ++i) {
+  for (int i = 0; i < test::cases(25); ++i) {
     const double half = random.uniform(0.1, 0.9);
     Pose<double> pose{about(Vec3d::UnitY(), random.uniform(0, 7)), random.level(1, half - 0.001)};
     const PlacedShapes pair = test::moved({test::cube(half), pose, floor, {}}, random.pose(1));
@@ -255,7 +256,7 @@ TEST(MergeTriangles, GroupsAreInTheOrderOfTheirDeepestTriangles) {
   CollideOptions every = kByTriangle, merged = kMerged;
   every.reducer = merged.reducer = nullptr;
   int several = 0;
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < test::cases(600); ++i) {
     const PlacedShapes pair = random_on_grid(random, 1);
     Manifolds<double> left = manifolds_of(pair, every);
     std::sort(left.begin(), left.end(), [](const auto& one, const auto& other) {
@@ -274,7 +275,7 @@ TEST(MergeTriangles, GroupsAreInTheOrderOfTheirDeepestTriangles) {
     ASSERT_EQ(normals, expected) << i;
     several += normals.size() > 1 ? 1 : 0;
   }
-  EXPECT_GT(several, 60);
+  EXPECT_GT(several, 60 / test::kOneIn);
 }
 
 /// The farthest a point is outside a convex polygon in the plane; negative inside.
@@ -327,19 +328,19 @@ TEST(MergeTriangles, TheOutlineOfAGroupHoldsItsPoints) {
   test::Random random(375);
   int in_float = 0, in_double = 0;
   for (const double size : {1e-4, 1.0, 1e4})
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < test::cases(200); ++i) {
       expect_outlines<float>(random, size, in_float);
       expect_outlines<double>(random, size, in_double);
     }
-  EXPECT_GT(in_float, 1000);
-  EXPECT_GT(in_double, 1000);
+  EXPECT_GT(in_float, 1000 / test::kOneIn);
+  EXPECT_GT(in_double, 1000 / test::kOneIn);
 }
 
 // The special path of boxes: the same bits as for a hull that is not known to be a box.
 TEST(MergeTriangles, ABoxMergesAsAnyHull) {
   test::Random random(376);
   int points = 0;
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < test::cases(600); ++i) {
     PlacedShapes pair = random_on_grid(random, 1);
     pair.a = test::random_box(random, 0.5, 3);
     const Manifolds<double> of_box = manifolds_of(pair, kMerged);
@@ -356,7 +357,7 @@ TEST(MergeTriangles, ABoxMergesAsAnyHull) {
       points += static_cast<int>(of_box[m].points.size());
     }
   }
-  EXPECT_GT(points, 1000);
+  EXPECT_GT(points, 1000 / test::kOneIn);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "geometry/primitives.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
+#include "support/cases.h"
 #include "support/tiled_floor.h"
 
 namespace contactscope {
@@ -42,7 +43,7 @@ using Parts = std::vector<Part>;
 /// Shapes 2 mm deep, for a floor of 1 m, near corners of the tiles. The floor is a plane, the oracle.
 template <class S, class MakeFloor>
 SeamContacts contacts_near_corners(double size, double crack, const CollideOptions& options,
-                                   const MakeFloor& floor_of, int floors = 40) {
+                                   const MakeFloor& floor_of, int floors = test::cases(40)) {
   test::Random random(3710);
   SeamContacts all;
   for (int i = 0; i < floors; ++i) {
@@ -100,7 +101,7 @@ template <class S> void expect_contacts_of_a_plane(double rounding) {
         options.mesh_manifolds = how;
         const SeamContacts all = contacts_near_corners<S>(
             size, crack, options, crack > 1e-6 ? one_welded_mesh : one_mesh);
-        EXPECT_GT(all.found, 200);
+        EXPECT_GT(all.found, 200 / test::kOneIn);
         // A step of two cracks leans a ball of radius r by sqrt(2 h / r); the smallest has r = 0.05.
         const double step = std::sqrt(80 * crack);
         EXPECT_LT(all.lean, rounding + step) << size << ", " << crack;
@@ -151,8 +152,8 @@ template <class S> void expect_parts_make_a_plane(double rounding) {
           [&](test::Random& random, const test::TiledFloor& tiles) {
             return joined(unjoined(random, tiles, share));
           },
-          10);
-      EXPECT_GT(all.found, 50);
+          test::cases(10));
+      EXPECT_GT(all.found, 50 / test::kOneIn);
       EXPECT_LT(all.lean, rounding) << size << ", " << share;
       EXPECT_LT(all.error, rounding) << size << ", " << share;
     }

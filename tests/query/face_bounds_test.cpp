@@ -11,6 +11,7 @@
 #include "core/at.h"
 #include "geometry/primitives.h"
 #include "query/tolerance.h"
+#include "support/cases.h"
 #include "support/pair_case.h"
 
 // Bounds skip only work: the separating axis test with bounds and the one that measures every face
@@ -132,7 +133,7 @@ template <class S> void expect_the_same_by_bounds(std::uint64_t seed) {
   Random random(seed);
   for (const Family& family : kFamilies) {
     SCOPED_TRACE(family.name);
-    for (int i = 0; i < 800 && !testing::Test::HasFailure(); ++i) {
+    for (int i = 0; i < test::cases(800) && !testing::Test::HasFailure(); ++i) {
       SCOPED_TRACE("pair " + std::to_string(i));
       const PairCase<double> drawn = family.draw(random);
       const double size = random.chance(0.5) ? 1 : random.decade(-4, 4);

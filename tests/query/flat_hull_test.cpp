@@ -11,6 +11,7 @@
 #include "support/brute_force_distance.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"
+#include "support/cases.h"
 
 /// Flat hulls against solid ones and against each other in every query, compared with exhaustion.
 namespace contactscope {
@@ -87,7 +88,7 @@ TYPED_TEST(FlatHulls, HaveTheAxisThatExhaustionFinds) {
   using S = TypeParam;
   Random random(5);
   int overlaps = 0, separated = 0, edges = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < test::cases(6000); ++i) {
     const PairCase<S> pair = random_flat_pair(random, i).template cast<S>();
     const PairCase<double> exact = pair.template cast<double>();
     const double truth = largest_separation(exact);
@@ -106,16 +107,16 @@ TYPED_TEST(FlatHulls, HaveTheAxisThatExhaustionFinds) {
       edges += axes.chosen == AxisKind::EdgeEdge ? 1 : 0;
     }
   }
-  EXPECT_GT(overlaps, 1000);
-  EXPECT_GT(separated, 1000);
-  EXPECT_GT(edges, 500);
+  EXPECT_GT(overlaps, 1000 / test::kOneIn);
+  EXPECT_GT(separated, 1000 / test::kOneIn);
+  EXPECT_GT(edges, 500 / test::kOneIn);
 }
 
 TYPED_TEST(FlatHulls, HaveTheDistanceThatExhaustionFinds) {
   using S = TypeParam;
   Random random(6);
   int separated = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < test::cases(1500); ++i) {
     const PairCase<S> pair = random_flat_pair(random, i).template cast<S>();
     const PairCase<double> exact = pair.template cast<double>();
     const double scale = test::length_scale(exact);
@@ -130,14 +131,14 @@ TYPED_TEST(FlatHulls, HaveTheDistanceThatExhaustionFinds) {
     ASSERT_EQ(found.status, GjkStatus::Separated) << i;
     ASSERT_NEAR(found.distance, truth, 64 * std::numeric_limits<S>::epsilon() * scale) << i;
   }
-  EXPECT_GT(separated, 300);
+  EXPECT_GT(separated, 300 / test::kOneIn);
 }
 
 TYPED_TEST(FlatHulls, AreAsDeepByEveryMethodAsExhaustionFinds) {
   using S = TypeParam;
   Random random(7);
   int deep = 0, converged = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::cases(3000); ++i) {
     const PairCase<S> pair = random_flat_pair(random, i).template cast<S>();
     const PairCase<double> exact = pair.template cast<double>();
     const double truth = largest_separation(exact);
@@ -160,7 +161,7 @@ TYPED_TEST(FlatHulls, AreAsDeepByEveryMethodAsExhaustionFinds) {
       ASSERT_LE(found.depth, -truth + rounding);
     }
   }
-  EXPECT_GT(deep, 500);
+  EXPECT_GT(deep, 500 / test::kOneIn);
   EXPECT_GT(converged, deep * 99 / 100);
 }
 

@@ -8,6 +8,7 @@
 
 #include "query/gjk.h"
 #include "support/brute_force_distance.h"
+#include "support/cases.h"
 #include "support/random_geometry.h"
 
 /// GJK compared with exhaustion, over sizes, proportions, separations and places in the world.
@@ -240,7 +241,7 @@ TYPED_TEST(GjkRandom, EarlierSimplexChangesTheResultByRoundingOnly) {
   using S = TypeParam;
   Random random(2010);
   int cold_iterations = 0, warm_iterations = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::cases(2000); ++i) {
     const ShapePair<S> pair = rounded<S>(random_pair(random, 10, 0));
     const GjkResult<S> cold = pair.distance();
     // From before a small motion, or wrongly from a very different pose.

@@ -7,6 +7,7 @@
 #include "broadphase/broad_phase.h"
 #include "scenario/broken.h"
 #include "scenario/run.h"
+#include "support/cases.h"
 
 namespace contactscope {
 namespace {
@@ -201,9 +202,11 @@ TEST(QueryKeys, ABroadPhaseChoosesPairsThatAnswer) {
 }
 
 TEST(QueryKeys, BoxesAllEqualOrOfEveryLengthThatIsAllowedAreChosenAlikeByAll) {
+  const int count = test::cases(300);
   const std::string equal =
       "[shapes.ball]\ntype = \"sphere\"\nradius = 0.1\n"
-      "scatter = { count = 300, lower = [0, 0, 0], upper = [0, 0, 0], turned = false }\n";
+      "scatter = { count = " +
+      std::to_string(count) + ", lower = [0, 0, 0], upper = [0, 0, 0], turned = false }\n";
   const std::string extreme =
       "[shapes.grain]\ntype = \"sphere\"\nradius = 1e-9\n"
       "[shapes.world]\ntype = \"sphere\"\nradius = 1e9\n"
@@ -216,7 +219,8 @@ TEST(QueryKeys, BoxesAllEqualOrOfEveryLengthThatIsAllowedAreChosenAlikeByAll) {
     return std::ranges::count(frame.pairs, std::optional(true), &trace::Pair::overlap);
   };
   for (const BroadPhaseInfo& info : broad_phases()) {
-    EXPECT_EQ(overlapping(equal, std::string(info.name)), 300 * 299 / 2 + 300) << info.name;
+    EXPECT_EQ(overlapping(equal, std::string(info.name)), count * (count - 1) / 2 + count)
+        << info.name;
     // The grain and the world touch the ground, and the grain is in the world.
     EXPECT_EQ(overlapping(extreme, std::string(info.name)), 3) << info.name;
   }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "scenario/run.h"
+#include "support/cases.h"
 
 namespace contactscope::snapshot {
 namespace {
@@ -141,7 +142,7 @@ TEST(CompareRuns, HundredPlantedDivergencesAreFound) {
   std::mt19937 random(7);
   const auto below = [&](std::size_t count) { return random() % count; };
   std::set<std::string_view> stages;
-  for (int run = 0; run < 100; ++run) {
+  for (int run = 0; run < test::cases(100); ++run) {
     std::vector<std::string> other = lines;
     const std::size_t at = below(lines.size());
     Json frame = Json::parse(lines[at]);
@@ -168,7 +169,7 @@ TEST(CompareRuns, HundredPlantedDivergencesAreFound) {
     EXPECT_EQ(runs.equal, int(run % 2 == 1 ? at : lines.size() - 1));
     stages.insert(stage);
   }
-  EXPECT_GE(stages.size(), 10u) << testing::PrintToString(stages);
+  EXPECT_GE(stages.size(), 10u / unsigned{test::kOneIn}) << testing::PrintToString(stages);
 }
 
 TEST(CompareRuns, OrderAndRoundingAreNoDifference) {

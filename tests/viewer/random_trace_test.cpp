@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/at.h"
+#include "support/cases.h"
 #include "support/random_geometry.h"
 #include "trace/json.h"
 #include "viewer/in_chromium.h"
@@ -119,8 +120,8 @@ void expect_near(const json& shown, const json& said, const std::string& name) {
 }
 
 TEST_F(InChromium, UnpacksWhatTheTraceOfARandomSceneSays) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
-    test::Random random(seed);
+  for (int seed = 1; seed <= test::cases(3); ++seed) {
+    test::Random random(static_cast<std::uint64_t>(seed));
     const CrateOnSlab scene = random_scene(random);
     const json page = result(R"(
       const { data, stagesOf, state, layers, go } = contactscope, list = (first, end, of) => Array.from({ length: end - first }, (_, i) => of(first + i)), { contacts, manifolds, points, texts } = data;
