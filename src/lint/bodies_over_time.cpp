@@ -51,7 +51,9 @@ class BodiesWatch final : public Watch {
         "written, and interpolated poses",
         1, 0, findings);
     auto flights = mapped(flights_.pairs, [](const auto& pair) { return pair.second.first; });
-    std::ranges::stable_sort(flights, {}, &Finding::frame);
+    std::ranges::stable_sort(flights, {}, [&](const Finding& one) {
+      return std::pair(one.frame, one.a != flights_.first.a);
+    });
     auto names = mapped(flights, [](const Finding& one) { return "'" + one.a + "'"; });
     if (names.size() > kNamed)
       names[kNamed] = counted(names.size() - kNamed, "other"), names.resize(kNamed + 1);
@@ -75,19 +77,20 @@ class BodiesWatch final : public Watch {
       most = std::max(most, last), last = now, now = 0;
       for (const trace::Pair& pair : frame.pairs) now = std::max(now, of(pair));
     }
-    /// For a body whose contacts in this frame or the one before exceed all earlier ones; else empty.
-    std::string text_for(const Solids& solids, const Moments& frames,
-                         const std::string& name) const {
+    /// `link` and the largest value, of a body whose contacts in some of these frames exceed all
+    /// earlier ones; else empty.
+    std::string text_for(const Solids& solids, std::initializer_list<const trace::Frame*> in,
+                         const std::string& name, const std::string& link) const {
       double peak = 2 * most;
       std::string text;
-      for (const trace::Frame* frame : {frames.before, frames.now})
+      for (const trace::Frame* frame : in)
         for (const trace::Pair& pair : frame->pairs) {
           const bool is_a = solids.body_of(pair.a) == solids.body_of(name);
           if ((!is_a && solids.body_of(pair.b) != solids.body_of(name)) || of(pair) <= peak)
             continue;
           peak = of(pair);
-          text = before + metres(peak) + after + " '" + (is_a ? pair.b : pair.a) + "' in frame " +
-                 std::to_string(frame->frame);
+          text = link + before + metres(peak) + after + " '" + (is_a ? pair.b : pair.a) +
+                 "' in frame " + std::to_string(frame->frame);
         }
       return text;
     }
@@ -128,25 +131,34 @@ class BodiesWatch final : public Watch {
     ++flights_.of;
     const double step = (after.middle() - now.middle()).norm();
     const double last = (now.middle() - before.middle()).norm();
-    if (fastest_ > 0 && step > kLongStep * now.size() && step > kFaster * fastest_ &&
-        step > kTimes * last)
-      flights_.wrong(frames, name, "", [&] {
-        return std::pair(
-            "it moves by " + metres(step) + " m in the next step" +
-                overlap_.text_for(solids, frames, name) + impulse_.text_for(solids, frames, name),
-            "it moves by " + metres(last) + " m in this one, and no body by more than " +
-                metres(fastest_) + " m before");
-      });
-    else
+    if (!(fastest_ > 0 && step > kLongStep * now.size() && step > kFaster * fastest_ &&
+          step > kTimes * last)) {
       fastest = std::max(fastest, step);
+      return;
+    }
+    const auto why = [&](std::initializer_list<const trace::Frame*> in, const char* link) {
+      return overlap_.text_for(solids, in, name, link) + impulse_.text_for(solids, in, name, link);
+    };
+    // The frame that shows the cause, or else what happened.
+    const std::string cause = why({frames.before, frames.now}, ", after");
+    const trace::Frame& shown = cause.empty() ? *frames.after : *frames.now;
+    flights_.wrong_at({shown.frame, shown.line, name, "", {}}, frames, 0, [&] {
+      const std::string most = " m, and no body by more than " + metres(fastest_) + " m before";
+      return cause.empty()
+                 ? std::pair("it has moved by " + metres(step) + " m since the frame before" +
+                                 why({frames.after}, ", and now has"),
+                             "in the step before that it moved by " + metres(last) + most)
+                 : std::pair("it moves by " + metres(step) + " m in the next step" + cause,
+                             "it moves by " + metres(last) + most);
+    });
   }
 
   std::map<std::string, Vec3d> last_;        // displacements to this frame
   std::map<std::string, double> last_turn_;  // metres at the rim
   double fastest_ = 0;                       // metres within a step, of any body
   std::set<std::string> jumped_;             // bodies that were elsewhere in the frame before
-  Peak overlap_{&trace::overlap_of, ", after an overlap of ", " m with"};
-  Peak impulse_{&trace::impulse_of, ", after an impulse of ", " N s from"};
+  Peak overlap_{&trace::overlap_of, " an overlap of ", " m with"};
+  Peak impulse_{&trace::impulse_of, " an impulse of ", " N s from"};
   Tally jumps_{"poses_jump"}, flights_{"bodies_fly_off"};
 };
 

@@ -85,6 +85,9 @@ class ClaimsWatch final : public Watch {
       unexplained.push_back(gathered(cause, what, remedy, [&](const WrongPair& one) {
         return int(one.problem.kind) == kind;
       }));
+      if (const double deeper = wrong_.common_depth(); kind == 0 && deeper != 0)
+        unexplained.back().what += ": all are " + metres(std::abs(deeper)) +
+                                   (deeper > 0 ? " m too deep" : " m too shallow");
     }
     std::erase_if(unexplained, [](const Finding& finding) { return finding.count == 0; });
     std::ranges::stable_sort(unexplained, std::greater(), &Finding::count);
@@ -175,8 +178,9 @@ class ClaimsWatch final : public Watch {
     all_gathered_ = 0, is_enough_ = false;
     const auto level = [](const WrongPair& of) { return 3 * of.beyond + of.gross + of.severe; };
     for (const WrongPair& wrong : wrong_) {
-      if (wrong.record || !fits(wrong) || options_.ignores(cause, wrong.a, wrong.b)) continue;
+      if (wrong.record || !fits(wrong)) continue;
       all_gathered_ += wrong.times, is_enough_ = is_enough_ || wrong.gross;
+      if (options_.ignores(cause, wrong.a, wrong.b)) continue;
       if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
       if (!wrong.beyond) continue;
       finding.count += wrong.times;
@@ -288,10 +292,8 @@ class ClaimsWatch final : public Watch {
           gathered(mistake->name, mistake->what + where, mistake->remedy, is_explained));
     if (!is_enough_) return false;
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || is_explained(wrong);
-    if (is_of_types)
-      explained_kinds_.insert(*types.begin());
-    else
-      is_of_all_kinds_ = true;
+    is_of_all_kinds_ = is_of_all_kinds_ || !is_of_types;
+    if (is_of_types) explained_kinds_.insert(*types.begin());
     for (Finding& one : named) {
       one.below.clear();
       const auto same = std::ranges::find(findings, one.cause, &Finding::cause);

@@ -178,16 +178,16 @@ std::vector<Finding> Linter::findings() {
   for (const auto& [name, why] : state_->solids.refused)
     all.push_back({"shape", "shape '" + name + "' bounds nothing, so its contacts cannot be judged",
                    why, 1, 0, 1, 0, name, "", "", ""});
-  std::erase_if(all, [&](const Finding& finding) {
-    return state_->options.ignores(finding.cause, finding.a, finding.b);
-  });
   for (const Cause& cause : causes_and_effects())
     if (std::ranges::any_of(all,
                             [&](auto& one) { return is_reported(one) && cause.is(one.cause); }))
       std::erase_if(all, [&](const Finding& finding) {
         return std::ranges::find(cause.effects, finding.cause) != cause.effects.end();
       });
-  std::erase_if(all, [](const Finding& finding) { return finding.count == 0; });  // all tolerated
+  std::erase_if(all, [&](const Finding& finding) {
+    return finding.count == 0 ||  // all tolerated
+           state_->options.ignores(finding.cause, finding.a, finding.b);
+  });
   for (Finding& finding : all) {
     if (state_->options.strict) finding.below.clear();
     if (finding.marks.empty() && finding.line > 0)

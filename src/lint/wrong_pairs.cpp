@@ -99,4 +99,16 @@ int WrongPairs::untold() const {
   return count;
 }
 
+double WrongPairs::common_depth() const {
+  std::optional<double> least, most;
+  for (const WrongPair& pair : kept_) {
+    if (pair.record || pair.problem.kind != Wrong::Separation) continue;
+    least = std::min(least.value_or(pair.deeper), pair.deeper);
+    most = std::max(most.value_or(pair.deeper), pair.deeper);
+  }
+  constexpr double kAlike = 0.1;
+  if (!least || *least * *most <= 0 || *most - *least > kAlike * std::abs(*most)) return 0;
+  return (*least + *most) / 2;
+}
+
 }  // namespace contactscope::lint

@@ -56,6 +56,8 @@ class WrongPairs {
   int count() const { return count_; }
   /// Number of pairs that are not reported yet.
   int untold() const;
+  /// Metres by which the separations of all of these are too deep, if they agree; else 0.
+  double common_depth() const;
 
   auto begin() { return kept_.begin(); }
   auto end() { return kept_.end(); }

@@ -193,6 +193,21 @@ TEST(HeapMarks, OnePointStandsOutAndTheOthersHaveAnAreaByOverlap) {
   EXPECT_EQ(sketch_frame(few.staged(), few.frames[0]).arrows.size(), 25u);
 }
 
+TEST(HeapMarks, TheArrowIsAtThePointThatLintNames) {
+  Heap heap(6);
+  heap.view.focus = Focus::Worst;
+  const trace::Pair& pair = heap.frames[0].pairs[3];
+  const Vec3d point = pair.manifolds[0].points[0].position;
+  heap.view.faults.push_back({"internal_edge", 1, 40, 0, {{0, pair.b, pair.a, point}}});
+  const Sketch sketch = sketch_frame(heap.staged(), heap.frames[0]);
+  ASSERT_EQ(sketch.arrows.size(), 1u);
+  EXPECT_EQ(sketch.arrows[0].from, point);
+  // Of a pair with two points, the deeper one is the other.
+  heap.frames[0].pairs[3].manifolds[0].points.push_back(
+      {point + Vec3d(0.1, 0, 0), -0.2, "a:v0 b:f0"});
+  EXPECT_EQ(sketch_frame(heap.staged(), heap.frames[0]).arrows.at(0).from, point);
+}
+
 TEST(HeapWalls, OnlyFrontWallsAreOutlinesAndTheseAreWhole) {
   Heap heap(7);
   const double side = 2.7, thick = 0.05;

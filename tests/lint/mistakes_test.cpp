@@ -288,6 +288,19 @@ TEST(Lint, AnErrorOfAnotherKindOfPairsIsNamedToo) {
   EXPECT_EQ(separation->a + separation->b, changed->a + changed->b);
 }
 
+/// The effects of a cause that is ignored are no findings of their own.
+TEST(Lint, IgnoringACauseAddsNoFinding) {
+  for (const double factor : {0.5, 0.0}) {
+    Trace trace = heap();
+    separations_times(factor)(trace);
+    std::vector<std::string> rest = causes_of(lint(trace));
+    LintOptions options;
+    options.ignored.push_back({rest.at(0), ""});
+    rest.erase(rest.begin());
+    EXPECT_EQ(causes_of(lint(trace, options)), rest) << factor;
+  }
+}
+
 TEST(Lint, TwoMistakesAtOnceAreBothNamed) {
   Trace trace = heap();
   flip_normals(trace);

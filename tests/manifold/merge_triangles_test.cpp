@@ -332,8 +332,8 @@ TEST(MergeTriangles, TheOutlineOfAGroupHoldsItsPoints) {
       expect_outlines<float>(random, size, in_float);
       expect_outlines<double>(random, size, in_double);
     }
-  EXPECT_GT(in_float, 1000 / test::kOneIn);
-  EXPECT_GT(in_double, 1000 / test::kOneIn);
+  EXPECT_GT(in_float, 800 / test::kOneIn);
+  EXPECT_GT(in_double, 800 / test::kOneIn);
 }
 
 // The special path of boxes: the same bits as for a hull that is not known to be a box.

@@ -18,6 +18,19 @@ constexpr double kMuchLarger = 4;  // than the smallest body: no outline
 
 constexpr Swatch kFaultSwatch{LegendGroup::Points, 12, [](auto& pen) { pen.dot(5.6, 7.4, kText); }};
 
+/// A cause in words; some codes are too short to be understood.
+std::string cause_in_words(const std::string& cause) {
+  constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+      {"separation", "wrong separations"},
+      {"surface", "points off the surfaces"},
+      {"side", "on_a or on_b off"},
+      {"normal", "wrong normals"},
+      {"deepest", "no point as deep"}};
+  const auto known =
+      std::ranges::find(kWords, cause, &std::pair<std::string_view, std::string_view>::first);
+  return known == std::end(kWords) ? in_words(cause) : std::string(known->second);
+}
+
 /// The places of a fault in one frame, each pair once, numbered over all faults.
 struct InFrame {
   const Fault* fault;
@@ -93,7 +106,7 @@ class LintPanel : public PanelContent {
     if (by_overlap_) row("in view: the largest overlap for its body's size");
     for (const InFrame& one : faults) {
       const Fault& fault = *one.fault;
-      row(fault.is_condition ? fault.cause : in_words(fault.cause),
+      row(fault.is_condition ? fault.cause : cause_in_words(fault.cause),
           fault.of > 0 ? spell_count(fault.count) + " of " + spell_count(fault.of)
                        : counted(static_cast<std::size_t>(fault.count), "time", "times"));
       for (std::size_t i = 0; i < one.listed(); ++i) {

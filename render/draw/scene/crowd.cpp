@@ -77,8 +77,20 @@ void put_off_bodies(const Scene& scene, Label& label) {
   if (above.y() - half.y() > view.y) label.clearance = (at.y() - top) / pixel + kGap;
 }
 
+/// The point that lint's first finding is about, if it is one of this pair; else the deepest.
+std::optional<PairPoint> subject_of(const Scene& scene, const trace::Pair& pair) {
+  const Fault::Place* const fault = scene.view.first_fault();
+  const std::vector<PairPoint> points = all_points(pair);
+  if (fault == nullptr || !fault->at || fault->frame != scene.frame.frame || points.empty() ||
+      std::minmax(fault->a, fault->b) != std::minmax(pair.a, pair.b))
+    return deepest_contact(pair);
+  return *std::ranges::min_element(points, {}, [&](const PairPoint& any) {
+    return (any.point->position - *fault->at).squaredNorm();
+  });
+}
+
 void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  const std::optional<PairPoint> at = deepest_contact(pair);
+  const std::optional<PairPoint> at = subject_of(scene, pair);
   if (!at) return;
   const Vec3d& place = at->point->position;
   for (const std::string* name : {&pair.a, &pair.b}) {

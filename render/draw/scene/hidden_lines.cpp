@@ -69,9 +69,7 @@ bool covers_all(std::span<const std::pair<double, double>> intervals) {
 HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
                          const std::vector<ConvexShadow>& shadows,
                          const std::vector<RoundBody>& bodies)
-    : camera_(camera),
-      given_{occluders.size(), shadows.size(), bodies.size()},
-      cells_(kColumns * kRows) {
+    : camera_(camera), given_{occluders.size(), shadows.size(), bodies.size()} {
   // Adds the shadow of the bounds from `begin` on, and puts it into the cells of the box around its
   // corners; without any it is everywhere.
   const auto put = [&](std::size_t begin, std::span<const Point2> seen,
@@ -92,6 +90,8 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     return shadows_.back();
   };
   const bool many_bodies = shadows.size() >= kManyBodies && bodies.size() == shadows.size();
+  const bool few = occluders.size() < kManyOccluders;
+  if (!few || many_bodies) cells_.resize(kColumns * kRows);
   for (std::size_t i = 0; i < shadows.size(); ++i) {
     const std::size_t begin = bounds_.size();
     bounds_.insert(bounds_.end(), shadows[i].bounds.begin(), shadows[i].bounds.end());
@@ -101,7 +101,6 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
     shadow.sides = begin + shadows[i].sides;
     shadow.behind = shadows[i].behind;
   }
-  const bool few = occluders.size() < kManyOccluders;
   for (const std::vector<Vec3d>& polygon : occluders) {
     if (polygon.size() < 3) continue;
     const Vec3d middle = mean_of(polygon);

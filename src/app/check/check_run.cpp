@@ -153,7 +153,7 @@ class Checker {
     });
     std::vector<Finding> pictures;
     if (!options_.facts_only) {
-      add_faults(input, scenario.snapshots.frames, input.scenario.views);
+      add_faults(input, scenario.snapshots.frames, options_, input.scenario.views);
       for (const View& view : selected_views(scenario, options_))
         check_pictures(archive, scenario, view, sequence, outcome, pictures);
     }

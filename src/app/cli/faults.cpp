@@ -119,20 +119,27 @@ std::vector<lint::Finding> lint_input(const Input& input, const lint::LintOption
   return lint_scenario(input.scenario, all, options);
 }
 
-std::string add_faults(const Input& input, const std::vector<int>& drawn,
+std::string add_faults(const Input& input, const std::vector<int>& drawn, const Options& options,
                        std::vector<View>& views) {
   const auto has_faults = [](const View& view) {
     return view.shows(Panel::Lint) || view.focus == Focus::Worst;
   };
   if (std::ranges::none_of(views, has_faults)) return {};
   const auto is_drawn = [&](int frame) { return std::ranges::binary_search(drawn, frame); };
+  const auto is_of_pair = [&](const std::string& a, const std::string& b) {
+    return options.pair.size() != 2 ||
+           std::minmax(a, b) == std::minmax(options.pair[0], options.pair[1]);
+  };
+  lint::LintOptions to_lint = linter_options(options);
+  to_lint.is_marked = is_drawn;
   std::vector<Fault> faults;
   std::string first;
-  for (const lint::Finding& one : lint_input(input, {.is_marked = is_drawn})) {
+  for (const lint::Finding& one : lint_input(input, to_lint)) {
     if (!lint::is_reported(one)) continue;
     Fault& fault = faults.emplace_back(Fault{one.cause, one.count, one.of, one.frame});
     for (const lint::Mark& mark : one.marks)
-      if (is_drawn(mark.frame)) fault.places.push_back({mark.frame, mark.a, mark.b, mark.at});
+      if (is_drawn(mark.frame) && is_of_pair(mark.a, mark.b))
+        fault.places.push_back({mark.frame, mark.a, mark.b, mark.at});
     if (first.empty() && !one.a.empty() && !fault.places.empty()) first = one.what;
     std::stable_partition(fault.places.begin(), fault.places.end(), [&](const Fault::Place& place) {
       return place.frame == one.frame && place.a == one.a && place.b == one.b;

@@ -33,8 +33,9 @@ std::vector<lint::Finding> lint_trace(TraceFile& file, const lint::LintOptions& 
 std::vector<lint::Finding> lint_input(const Input& input, const lint::LintOptions& options);
 
 /// If a view has the panel `lint` or the focus `worst`, adds the findings of lint_input(), with their
-/// places in the frames that are drawn, to such views: first the place that `lint` names. Returns
-/// what the first of them says.
-std::string add_faults(const Input& input, const std::vector<int>& drawn, std::vector<View>& views);
+/// places in the frames that are drawn, to such views: first the place that `lint` names; with
+/// --pair only those of this pair. Returns what the first of them says.
+std::string add_faults(const Input& input, const std::vector<int>& drawn, const Options& options,
+                       std::vector<View>& views);
 
 }  // namespace contactscope::app

@@ -93,7 +93,14 @@ void keep_where(Sequence& sequence, Input& input, std::vector<View>& views,
       for (const auto& [a, b, label] : names) marked.places.push_back({frame, a, b});
     marked.count = count_of(marked.places);
     marked.is_condition = true;
+    const auto is_elsewhere = [&](const Fault::Place& place) {
+      const auto here = found.find(place.frame);
+      return here == found.end() || std::ranges::none_of(here->second, [&](const Name& name) {
+               return std::get<0>(name) == place.a && std::get<1>(name) == place.b;
+             });
+    };
     for (View& view : views) {
+      for (Fault& fault : view.faults) std::erase_if(fault.places, is_elsewhere);
       view.faults.push_back(marked);
       show_lint(view, options);
     }

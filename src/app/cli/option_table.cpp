@@ -109,7 +109,7 @@ const std::vector<Option>& option_table() {
        "Also draw both runs in the frame in which they part, and their distance over time, as PNG",
        kFile},
       {"--strict", "", "lint", &Options::strict, "Also report what is below a threshold"},
-      {"--ignore", "CAUSE[:SHAPE]", "lint", &Options::ignored,
+      {"--ignore", "CAUSE[:SHAPE]", "lint render", &Options::ignored,
        "Leave out the findings of a cause, or those of it that are about a shape; several have "
        "commas between them, or an option each"},
       {"--tolerance", "METRES", "lint", &Options::tolerance,

@@ -122,7 +122,7 @@ void report_idle_layers(const Input& input, const draw::Staging& staging, const 
 void draw_sequences(Input& input, const Options& options, Renderer& renderer, Sinks& sinks,
                     Progress& progress, RunLog& log) {
   const Scenario& scenario = input.scenario;
-  const std::string finding = add_faults(input, input.frames, input.scenario.views);
+  const std::string finding = add_faults(input, input.frames, options, input.scenario.views);
   std::vector<View> views = selected_views(scenario, options);
   const bool has_title = !input.trace || !input.trace->header.title.empty();
   Sequence sequence = sequence_of(input, views, sinks.needs_stages(), options, log);
@@ -372,7 +372,7 @@ void draw_sheet(std::vector<Input>& inputs, const std::function<Sequence(Input&)
   std::vector<draw::ContactSheet::Entry> entries;
   std::vector<draw::Drawing> thumbnails;
   for (Input& input : inputs) {
-    add_faults(input, input.frames, input.scenario.views);
+    add_faults(input, input.frames, options, input.scenario.views);
     const std::vector<View> views = selected_views(input.scenario, options);
     const auto scene = std::ranges::find_if(views, has_cells);
     Sequence sequence = run(input);
