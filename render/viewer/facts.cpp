@@ -1,10 +1,6 @@
 #include "viewer/facts.h"
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include "core/at.h"
 #include "core/spell.h"

@@ -1,9 +1,5 @@
 #include "viewer/viewer.h"
 
-#include <algorithm>
-#include <array>
-#include <map>
-
 #include "core/at.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/theme.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "draw/staging.h"
 #include "image/png.h"
 #include "lint/linter.h"

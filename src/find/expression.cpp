@@ -1,12 +1,7 @@
 #include "find/expression.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <numbers>
-#include <optional>
 
 #include "core/key_table.h"
 

@@ -1,10 +1,5 @@
 #include "find/finder.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <numbers>
-
 #include "core/at.h"
 #include "core/spell.h"
 #include "trace/find.h"

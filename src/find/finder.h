@@ -1,11 +1,6 @@
 #pragma once
 
-#include <array>
-#include <map>
-#include <optional>
-#include <string>
 #include <unordered_map>
-#include <vector>
 
 #include "find/expression.h"
 #include "lint/linter.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <map>
-#include <set>
 
 #include "core/spell.h"
 #include "lint/watch.h"

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <set>
-#include <string_view>
 
 #include "lint/reading.h"
 #include "lint/watch.h"

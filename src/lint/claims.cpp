@@ -1,9 +1,5 @@
 #include "lint/claims.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/at.h"
 #include "core/input_error.h"
 #include "trace/find.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "lint/reading.h"
 #include "lint/solid.h"
 #include "trace/trace.h"

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <iterator>
-#include <set>
 
 #include "core/at.h"
 #include "lint/small_depths.h"

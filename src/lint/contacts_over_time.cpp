@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <set>
-#include <tuple>
 
 #include "core/at.h"
 #include "lint/watch.h"

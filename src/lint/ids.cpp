@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <map>
-#include <set>
 
 #include "lint/watch.h"
 #include "trace/find.h"

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "geometry/mesh.h"
 #include "lint/watch.h"

@@ -1,8 +1,5 @@
 #include "lint/linter.h"
 
-#include <array>
-#include <cmath>
-
 #include "core/at.h"
 #include "core/spell.h"
 #include "lint/watch.h"

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "trace/json.h"
 
 /// Recomputes every claim of a trace about contacts from its shapes and poses alone. Wrong claims

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <set>
 
 #include "core/at.h"
 #include "lint/watch.h"

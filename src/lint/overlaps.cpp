@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <map>
-#include <set>
 
 #include "lint/solid.h"
 #include "lint/watch.h"

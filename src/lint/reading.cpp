@@ -1,8 +1,5 @@
 #include "lint/reading.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace contactscope::lint {
 namespace {
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
 #include "trace/shape.h"
 
 namespace contactscope::lint {

@@ -1,9 +1,5 @@
 #include "lint/solid.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "geometry/hull_builder.h"
 #include "query/closest_points.h"
 #include "query/gjk.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include "core/pose.h"
 #include "field/nearest_point.h"
 #include "geometry/hull.h"

@@ -1,5 +1,3 @@
-#include <cmath>
-#include <map>
 
 #include "lint/watch.h"
 

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
 #include "lint/watch.h"
 #include "trace/find.h"

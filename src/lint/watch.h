@@ -1,12 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <map>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "lint/claims.h"
 #include "lint/linter.h"
 

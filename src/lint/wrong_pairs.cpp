@@ -1,7 +1,5 @@
 #include "lint/wrong_pairs.h"
 
-#include <cmath>
-
 #include "core/at.h"
 #include "lint/watch.h"
 

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <array>
 #include <bitset>
-#include <string>
 #include <unordered_map>
-#include <vector>
 
 #include "lint/claims.h"
 #include "lint/linter.h"

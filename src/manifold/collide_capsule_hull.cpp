@@ -1,6 +1,7 @@
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
 #include "query/capsule_sat.h"
+#include "query/closest_points.h"
 #include "query/tolerance.h"
 
 namespace contactscope {
@@ -216,6 +217,45 @@ template <class S> S distance_to_hull(const CapsuleTouch<S>& touch, const CorePo
 
 }  // namespace
 
+/// Talk, "Capsule vs Hull: Deep Penetration": the best face, and the best pair of the segment and an
+/// edge of the hull. A test that a face wins does not name that pair, so every edge whose faces'
+/// normals lie on different sides of the segment's ring is measured.
+template <class S>
+void Recorder<S>::capsule_axes(const Hull<S>& hull, const Pose<S>& hull_in_a,
+                               const Vec3<S> (&ends)[2], const CapsuleSat<S>& axes) {
+  if (!stages_.sat) return;
+  trace::Sat& sat = pair_.sat.emplace();
+  sat.chosen = to_string(axes.edge_wins() ? AxisKind::EdgeEdge : AxisKind::FaceB);
+  const auto axis = [&](const Vec3<S>& normal) { return direction(-hull_in_a.rotate(normal)); };
+  const Plane<S>& plane = at(hull.planes, axes.face);
+  const int lower = plane.distance(ends[1]) < plane.distance(ends[0]) ? 1 : 0;
+  sat.face_b = trace::FaceAxis{axes.face, axes.face_separation, axis(plane.normal),
+                               point(hull_in_a.transform(ends[lower]))};
+  const Vec3<S> along = ends[1] - ends[0];
+  for (int edge = 0; edge < count_of(hull.half_edges); edge += 2) {
+    const auto rise = [&](int half_edge) {
+      return at(hull.planes, at(hull.half_edges, half_edge).face).normal.dot(along);
+    };
+    if ((rise(edge) > S(0)) == (rise(edge + 1) > S(0))) continue;
+    const Vec3<S>&from = hull.origin(edge), &to = hull.target(edge);
+    const Vec3<S> edge_along = to - from;
+    const Vec3<S> normal =
+        safe_unit(Vec3<S>(rise(edge) > S(0) ? edge_along.cross(along) : along.cross(edge_along)));
+    if (normal.isZero(S(0))) continue;
+    const auto separation = static_cast<double>(normal.dot(Vec3<S>(ends[0] - from)));
+    if (stages_.gauss_map) sat.edge_pairs.push_back({0, edge / 2, separation, axis(normal)});
+    if (axes.edge_wins() ? edge != axes.edge : sat.edge && sat.edge->separation >= separation)
+      continue;
+    const auto closest = closest_of_segments(ends[0], ends[1], from, to);
+    sat.edge = trace::EdgeAxis{0,
+                               edge / 2,
+                               separation,
+                               axis(normal),
+                               point(hull_in_a.transform(closest.on_a)),
+                               point(hull_in_a.transform(closest.on_b))};
+  }
+}
+
 template <class S>
 void add_capsule_touch(const Capsule<S>& a, const Hull<S>& b, const Mat3<S>& rotation,
                        const Vec3<S> (&ends)[2], const CapsuleTouch<S>& touch, S scale, S reach,
@@ -253,7 +293,10 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
 
   const CapsuleTouch<S> touch =
       capsule_touch(b, ends, axes, scale, touching_distance(scale), gjk_run(recorder));
-  if (recorder) recorder->gjk(b_in_a);
+  if (recorder) {
+    recorder->gjk(b_in_a);
+    if (axes.separation() <= S(0)) recorder->capsule_axes(b, b_in_a, ends, axes);
+  }
   const S separation = touch.distance - a.radius;
   if (touch.distance > reach) return separation;
   if (touch.degenerate != nullptr && skips_degenerate(touch.degenerate, options, recorder))
@@ -262,6 +305,10 @@ S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_i
   return separation;
 }
 
+template void Recorder<float>::capsule_axes(const Hull<float>&, const Pose<float>&,
+                                            const Vec3<float> (&)[2], const CapsuleSat<float>&);
+template void Recorder<double>::capsule_axes(const Hull<double>&, const Pose<double>&,
+                                             const Vec3<double> (&)[2], const CapsuleSat<double>&);
 CONTACTSCOPE_FLOAT_AND_DOUBLE(add_capsule_touch, collide_capsule_hull);
 
 }  // namespace contactscope

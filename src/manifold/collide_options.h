@@ -9,10 +9,12 @@ namespace contactscope {
 enum class Degenerate {
   Fallback,  // an arbitrary normal that changes continuously where possible
   Skip,      // no contact
+  Up,        // for centres in one place `up`; otherwise as Fallback
 };
 
 constexpr const char* to_string(Degenerate degenerate) {
-  return degenerate == Degenerate::Fallback ? "fallback" : "skip";
+  constexpr const char* kNames[] = {"fallback", "skip", "up"};
+  return kNames[static_cast<int>(degenerate)];
 }
 
 /// How the overlap of a shape's surface with a distance field is searched.
@@ -39,6 +41,7 @@ struct CollideOptions {
   double margin = 0;  // metres; points up to this separation are kept
   Preference preference = Preference::Relative;
   Degenerate degenerate = Degenerate::Fallback;
+  Vec3d up = Vec3d::UnitY();  // unit, world: the normal of Degenerate::Up, in processing order
   FieldSearch field = FieldSearch::Conservative;
   bool internal_edges = true;  // replaces contacts with edges and faces that the surface lacks
   MeshManifolds mesh_manifolds = MeshManifolds::Pair;
@@ -68,14 +71,21 @@ constexpr const char* to_string(Confirm confirm) {
   return confirm == Confirm::Distance ? "distance" : "ids";
 }
 
+/// What becomes of a new point nearer than the breaking distance to an old one.
+enum class TooClose {
+  Replace,  // it takes the place of the old one, and its id
+  Reject,   // Catto 2007, "Adding New Points": it is not added, and the old one stays
+};
+
 /// Gregorius 2015, "Building Incremental Manifolds". Lengths in metres.
 struct IncrementalSettings {
   Confirm confirm = Confirm::Distance;
   /// For hulls: depth of the core below the surface. Spheres and capsules have their radius.
   double core_margin = 0.02;
   /// Largest distance of the two points that met, along or across the normal, before the contact
-  /// breaks. A new point nearer than this to an old one replaces it.
+  /// breaks. A new point nearer than this to an old one is too close to it.
   double breaking_distance = 0.02;
+  TooClose too_close = TooClose::Replace;
 
   friend bool operator==(const IncrementalSettings&, const IncrementalSettings&) = default;
 };

@@ -47,7 +47,10 @@ S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>&
   } else {
     const char* geometry = along.isZero(S(0)) ? "coincident centres" : "centre on the axis";
     if (skips_degenerate(geometry, options, recorder)) return separation;
-    contact.normal = b_in_a.rotate(body_perpendicular(along));
+    const Vec3<S> up = rejected(Vec3<S>(options.up.cast<S>()), b_in_a.rotate(unit));
+    contact.normal = options.degenerate == Degenerate::Up && up.norm() > kNearlyParallelSine<S>
+                         ? safe_unit(up)
+                         : b_in_a.rotate(body_perpendicular(along));
   }
   contact.axis = AxisKind::ClosestPoints;
   contact.type = contact_type(FeatureKind::Vertex, feature.kind);
@@ -69,7 +72,8 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
     contact.normal = safe_unit(center_b);
   } else {
     if (skips_degenerate("coincident centres", options, recorder)) return separation;
-    contact.normal = b_in_a.rotate(Vec3<S>::UnitY());
+    contact.normal = options.degenerate == Degenerate::Up ? Vec3<S>(options.up.cast<S>())
+                                                          : b_in_a.rotate(Vec3<S>::UnitY());
   }
   contact.axis = AxisKind::ClosestPoints;
   contact.type = ContactType::PointPoint;

@@ -33,6 +33,16 @@ void convex(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<
             Recorder<S>* recorder) {
   const A& a = *std::get_if<A>(&pair.a);
   const B& b = *std::get_if<B>(&pair.b);
+  if constexpr (std::is_same_v<A, Sphere<S>> && !std::is_same_v<B, Hull<S>>) {
+    if (options.degenerate == Degenerate::Up) [[unlikely]] {
+      CollideOptions in_a = options;
+      in_a.up = pair.pose_a.rotation.template cast<double>().conjugate() * options.up;
+      const auto collide = [&](const Pose<S>& b_in_a, Contact<S>& contact) {
+        return kCollide(a, b, b_in_a, in_a, contact, recorder);
+      };
+      return one_manifold(pair, in_a, manifolds, recorder, collide);
+    }
+  }
   one_manifold(pair, options, manifolds, recorder, [&](const Pose<S>& b_in_a, Contact<S>& contact) {
     const S separation = kCollide(a, b, b_in_a, options, contact, recorder);
     if constexpr (std::is_same_v<B, Hull<S>>)

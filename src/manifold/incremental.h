@@ -76,7 +76,7 @@ struct IncrementalOptions {
 ///   2. each old point is moved with its bodies and measured along the new normal. It is dropped
 ///      if it is separated, has slid, or its features no longer face each other;
 ///   3. up to the margin there is one new point; it replaces an old one that has the same features
-///      or is nearer than the breaking distance;
+///      or is nearer than the breaking distance. With TooClose::Reject the nearer one stays instead;
 ///   4. the reducer keeps at most max_points (4 by default) of all these points, in their order,
 ///      the oldest first.
 ///

@@ -125,7 +125,7 @@ template <class S> struct StandingPoint {
 /// A point that was removed from the manifold.
 template <class S> struct BrokenPoint {
   StandingPoint<S> point;
-  const char* reason;  // "apart", "slid", "other features", "replaced", "reduced"
+  const char* reason;  // "apart", "slid", "other features", "replaced", "too close", "reduced"
 };
 
 /// Has room for the persisted points and one new one.
@@ -229,7 +229,7 @@ void confirm_points(const PersistentManifold<S>& persistent, const Pose<S>& b_in
   }
 }
 
-/// Step 3: adds the newest point, or replaces an old one.
+/// Step 3: adds the newest point, replaces an old one, or rejects the new one.
 template <class S>
 void add_point(const PersistentManifold<S>& persistent, const Pose<S>& b_in_a,
                const CoreQuery<S>& query, const IncrementalSettings& settings,
@@ -254,6 +254,11 @@ void add_point(const PersistentManifold<S>& persistent, const Pose<S>& b_in_a,
     return;
   }
   StandingPoint<S>& replaced = step.points[static_cast<std::size_t>(old)];
+  const bool is_same = replaced.kept.found == fresh.kept.found || replaced.kept.id == fresh.kept.id;
+  if (settings.too_close == TooClose::Reject && !is_same) {
+    step.broken.push_back({fresh, "too close"});
+    return;
+  }
   step.broken.push_back({replaced, "replaced"});
   fresh.is_new = false;
   fresh.kept.id = replaced.kept.id;

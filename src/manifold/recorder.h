@@ -12,6 +12,7 @@
 
 namespace contactscope {
 
+template <class S> struct CapsuleSat;
 template <class S> struct CoreQuery;
 template <class S> struct IncrementalStep;
 template <class S> struct PersistentManifold;
@@ -33,6 +34,9 @@ template <class S> class Recorder {
   /// `faces_a`: A's separations from the face query.
   void axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const SatResult<S>& axes,
             Preference preference);
+  /// The axes of a capsule's segment, between `ends` in the hull's frame, that is in the hull.
+  void capsule_axes(const Hull<S>& hull, const Pose<S>& hull_in_a, const Vec3<S> (&ends)[2],
+                    const CapsuleSat<S>& axes);
   /// The margins by which faces and the axis were chosen. `faces_b` is read only if that query ran.
   void axis_decisions(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
                       const FaceSeparations<S>& faces_b, const SatResult<S>& axes,

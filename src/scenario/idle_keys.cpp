@@ -37,7 +37,7 @@ std::string idle_question(std::string_view key, const Question& question) {
 constexpr const char* kContactKeys[] = {
     "manifold",    "reducer",           "max_points",     "margin",         "cache",
     "preference",  "degenerate",        "internal_edges", "mesh_manifolds", "field",
-    "core_margin", "breaking_distance", "confirm"};
+    "core_margin", "breaking_distance", "confirm",        "too_close"};
 constexpr const char* kQuestionKeys[] = {"comparison", "tolerance", "axes", "skip_up_to"};
 
 /// Why `key` has no effect on a pair; empty if it has one.
@@ -77,7 +77,7 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
                : "neither shape is a distance field (type = \"sdf\"); remove it";
   }
   const bool of_incremental =
-      key == "core_margin" || key == "breaking_distance" || key == "confirm";
+      key == "core_margin" || key == "breaking_distance" || key == "confirm" || key == "too_close";
   if (!of_incremental) return "";
   if (!incremental) return "the manifold is one-shot; set manifold = \"incremental\", or remove it";
   if (key == "core_margin" && !hull_a && !hull_b) return "only hulls have a core margin; remove it";

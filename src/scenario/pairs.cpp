@@ -79,6 +79,7 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("core_margin", settings.incremental.core_margin);
   table.read("breaking_distance", settings.incremental.breaking_distance);
   table.read("confirm", settings.incremental.confirm);
+  table.read("too_close", settings.incremental.too_close);
   table.read("reducer", settings.reducer,
              [](const Value& value) { return value.one_of(names_in(reducers()), "reducer"); });
   table.read("max_points", settings.max_points);

@@ -287,6 +287,7 @@ template <class S> class Runner::In final : public Runner::InScalar {
     const Pose<S>&pose_a = at(poses, pair.a), &pose_b = at(poses, pair.b);
     CollideOptions options = options_of(pair.pipeline);
     options.b_first = pair.b < pair.a;
+    if (scenario_.up == "z") options.up = Vec3d::UnitZ();
     // If frames can be run independently, none depends on the previous one.
     if (dynamic_ || remembers(scenario_, pair)) options.reduction.previous = memory.kept;
     const ScenarioShape &shape_a = scenario_.shape(pair.a), &shape_b = scenario_.shape(pair.b);

@@ -116,6 +116,8 @@ const trace::StudySeries& series_of(const trace::Study& study, const std::string
 const trace::StudyPoint& point_at(const trace::StudySeries& series, double parameter);
 /// Also throws if all cases failed.
 double error_at(const trace::StudySeries& series, double parameter);
+/// The smallest parameter at which a case failed; `start` if all are smaller, or none.
+double first_failure(const trace::StudySeries& line, double start);
 /// A point's mean error; 0 if all cases failed.
 inline double error_of(const trace::StudyPoint& point) { return point.error.value_or(0); }
 /// The largest mean error of all series of these methods; 0 without points.
@@ -129,7 +131,7 @@ PictureResult result_of_thresholds, result_of_broad_phases, result_of_updates, r
     result_of_coherence, result_near_plane, result_of_last_bits, result_of_phase, result_of_impacts,
     result_of_bullets, result_of_fields, result_of_building, result_of_points, result_of_plate,
     result_of_jitter, result_of_max_points, result_of_ratios, result_of_energy, result_of_distance,
-    result_of_overlaps;
+    result_of_overlaps, result_of_depths, result_of_trees, result_of_box_path;
 
 }  // namespace record
 }  // namespace contactscope

@@ -33,6 +33,9 @@ const std::vector<Kept> kDepthMethods = {
     {"double, MPR by tolerance", "MPR"},     {"double, sampling", "8192 directions"},
     {"Bullet, EPA", "Bullet, EPA", kQuiet},  {"Bullet, SAT", "Bullet, SAT", kQuiet},
     {"libccd, EPA", "libccd, EPA", kQuiet},  {"libccd, MPR", "libccd, MPR", kQuiet}};
+constexpr const char* kPenetration =
+    "Hulls of 32 vertices that overlap. 8192 directions: the least overlap along these, then a "
+    "descent. libccd's EPA splits only the nearest face, so its polytope does not stay convex";
 const std::vector<Kept> kPrecisions = {{"float, separating axis test", "float"},
                                        {"double, separating axis test", "double"},
                                        {"Bullet, SAT", "Bullet, float", kQuiet}};
@@ -182,6 +185,13 @@ PictureRow row(const char* study, const char* measure, const std::vector<Kept>& 
   return {study, measure, methods, panels, parameter, unit, shown, options, result};
 }
 
+PictureRow flips(const std::string& measure, const std::string& unit, const PictureOptions& options,
+                 std::string result(Picture&)) {
+  const std::string shown = "Up: {error} of the second shape after which a pair has other points" +
+                            unit + ". Crosses: nothing changes it";
+  return {"flip_distance", measure, kAll, kAll, "", "", shown, options, result};
+}
+
 /// Every plot that is not drawn as it was measured.
 const std::vector<PictureRow>& picture_rows() {
   static const std::vector<PictureRow> rows = {
@@ -201,25 +211,11 @@ const std::vector<PictureRow>& picture_rows() {
           "Four points kept of eight. Grey: as engines choose.", kOfEight),
 
       row("penetration", "depth", kDepthMethods, kAll, "", "",
-          "Hulls of 32 vertices that overlap, from kissing to concentric. Grey: other libraries, "
-          "Bullet in float",
+          kPenetration,
           {.at = 6, .only_at = true, .left_out = {"; efforts", ""}},
-          [](Picture& plot) {
-            const auto time = [&](const char* method) {
-              return duration(plot.point(method).nanoseconds.min);
-            };
-            const std::string epa = time("double, EPA by tolerance"),
-                              sat = time("double, SAT"),
-                              mpr = plot.share("double, MPR by tolerance");
-            plot.mark_with_name("double, EPA by tolerance", epa);
-            plot.mark_with_name("double, SAT", sat);
-            plot.mark_with_name("double, MPR by tolerance", mpr);
-            return "EPA finds the depth to rounding in " + epa + ", the separating axis test in " +
-                   sat + "; MPR is off by " + mpr + " of the size";
-          }),
+          &result_of_depths),
       row("penetration", "normal", kDepthMethods, kAll, "", "",
-          "Hulls of 32 vertices that overlap, from kissing to concentric. Grey: other libraries, "
-          "Bullet in float",
+          kPenetration,
           {.at = 6, .only_at = true, .left_out = {"; efforts", ""}}),
 
       row("hull_precision", "depth", kPrecisions, kAll, "", "",
@@ -248,6 +244,14 @@ const std::vector<PictureRow>& picture_rows() {
             return "With the last frame's features a contact of hulls of 64 vertices is " +
                    number(scratch / kept) + " times as fast, not ten times";
           }),
+
+      row("box_path", "time", kAll, kAll, "", "",
+          "Up: nanoseconds of a contact of two prisms, one standing on the other, in float",
+          {.at = 8, .drop_worst = true},
+          &result_of_box_path),
+      row("bounding_trees", "", kAll, kAll, "", "",
+          "Up: {error}, a ball within another one; the names have the bytes of a volume",
+          {.at = 30, .drop_worst = true}, &result_of_trees),
 
       row("overlap", "false_positives", kBounds, kAll, "length of the boxes / their width", kShare,
           "Up: of the pairs that a bound lets through, the share that is apart. Rods: 10 times as "
@@ -377,9 +381,8 @@ const std::vector<PictureRow>& picture_rows() {
            .left_out = kNumbersOfStacks},
           &result_of_jitter),
       row("solver", "max_points", kSolvers, kAll, "points kept of each contact", "",
-          "Up: mean speed of the fastest box in the third second, mm/s; six boxes, at most 8 "
-          "points "
-          "a contact",
+          "Up: mean speed of the fastest box in the third second, mm/s. Six boxes; at the lowest "
+          "line, microseconds of a frame",
           {.at = 4, .drop_worst = true, .scale = 1000, .failed = "fell", .left_out = kNumbersOfStacks},
           &result_of_max_points),
       row("solver", "energy", kAll, kAll, "", "",
@@ -412,28 +415,19 @@ const std::vector<PictureRow>& picture_rows() {
           "found or off by half of their depth.",
           {}, &result_of_overlaps),
 
-      row("flip_distance", "way", kAll, kAll, "", "",
-          "Up: {error} of the second shape after which a pair has other points, mm. Crosses: "
-          "nothing changes it",
-          {.scale = 1000},
-          [](Picture& plot) {
-            return least_change(plot, "a way of ", [](double mm) { return length(mm / 1000); });
-          }),
-      row("flip_distance", "turn", kAll, kAll, "", "",
-          "Up: {error} of the second shape after which a pair has other points, rad. Crosses: "
-          "nothing changes it",
-          {},
-          [](Picture& plot) {
-            return least_change(plot, "a turn of ",
-                                [](double turn) { return power(turn) + " rad"; });
-          }),
-      row("flip_distance", "last_places", kAll, kAll, "", "",
-          "Up: {error} of the second shape after which a pair has other points. Crosses: nothing "
-          "changes it",
-          {},
-          [](Picture& plot) {
-            return least_change(plot, "", &count, " last places of a coordinate");
-          }),
+      flips("way", ", mm", {.scale = 1000},
+            [](Picture& plot) {
+              return least_change(plot, "a way of ", [](double mm) { return length(mm / 1000); });
+            }),
+      flips("turn", ", rad", {},
+            [](Picture& plot) {
+              return least_change(plot, "a turn of ",
+                                  [](double turn) { return power(turn) + " rad"; });
+            }),
+      flips("last_places", "", {},
+            [](Picture& plot) {
+              return least_change(plot, "", &count, " last places of a coordinate");
+            }),
   };
   return rows;
 }

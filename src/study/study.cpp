@@ -79,6 +79,10 @@ const std::vector<StudyInfo>& studies() {
        "distance fields: error against time and memory, what sampling misses, thin plates",
        &study_distance_field},
       {"phase", "which features make the contact of two cubes, by offset and tilt", &study_phase},
+      {"box_path", "time of a contact of two boxes, by their own path and as any hulls",
+       &study_box_path},
+      {"bounding_trees", "trees of boxes, oriented boxes and polytopes over two meshes",
+       &study_bounding_trees},
       {"flip_distance", "smallest change of a pose after which the pair has other points",
        &study_flip_distance, true},
   };

@@ -107,7 +107,7 @@ struct Cache {
 struct PersistentPoint {
   Point point;         // on_a and on_b are the points of both shapes that touched when it was found
   std::string state;   // "new", "persisted", "broken"
-  std::string reason;  // for "broken": "apart", "slid", "other features", "replaced", "reduced"
+  std::string reason;  // for "broken": "slid", "replaced", ..., as BrokenPoint::reason
   int age = 0;         // frames since it was found
 
   Vec3d on_a() const { return point.on_a.value_or(point.position); }

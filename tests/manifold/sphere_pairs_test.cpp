@@ -157,6 +157,32 @@ TYPED_TEST(SpherePairs, CoincidentCentresFallBackToADirectionOfTheSecondBody) {
   }
 }
 
+TYPED_TEST(SpherePairs, CoincidentCentresGoUpWhateverTheBodiesRotations) {
+  using S = TypeParam;
+  test::Random random(5);
+  CollideOptions up;
+  up.degenerate = Degenerate::Up;
+  for (int i = 0; i < 100; ++i) {
+    up.up = random.unit_vector();
+    const Vec3d center = random.uniform(0, 10) * random.unit_vector();
+    const PlacedShapes balls{
+        test::ball(0.5), {random.rotation(), center}, test::ball(0.2), {random.rotation(), center}};
+    EXPECT_LT((test::normal_of(test::manifold_of<S>(balls, up)) - up.up).norm(), 32 * this->kEps);
+    EXPECT_EQ(test::record_of<S>(balls, up).degenerate->answer, "up");
+
+    // Off a capsule's axis it can only go at right angles, as far up as that allows.
+    const PlacedShapes on_axis{test::ball(0.2),
+                               {random.rotation(), Vec3d::Zero()},
+                               test::upright_capsule(1, 0.3),
+                               {random.rotation(), Vec3d::Zero()}};
+    const Vec3d axis = on_axis.pose_b.rotate(Vec3d::UnitY());
+    const Vec3d across = up.up - up.up.dot(axis) * axis;
+    if (across.norm() < 0.1) continue;
+    EXPECT_LT((test::normal_of(test::manifold_of<S>(on_axis, up)) - across.normalized()).norm(),
+              1e-5);
+  }
+}
+
 TYPED_TEST(SpherePairs, CentreOnACapsulesAxisIsPushedOutAtRightAnglesToIt) {
   using S = TypeParam;
   test::Random random(4);

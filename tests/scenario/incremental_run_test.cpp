@@ -133,6 +133,38 @@ slop = 0.001
 speculative_margin = 0.004
 )";
 
+// A wheel of twelve sides rolls: its corners are 31 mm from each other, nearer than the breaking distance.
+TEST(IncrementalRun, ARejectedPointLeavesTheOldOneUntilThatIsTooFarOff) {
+  const Scenario scenario =
+      load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/incremental/too_close.toml");
+  Runner runner(scenario);
+  int replaced = 0, rejected = 0, lost = 0;
+  std::string name;  // of the first point of the pair that rejects
+  for (int frame = 0; frame < scenario.frames; ++frame) {
+    const trace::Frame facts = runner.frame(frame);
+    for (const trace::PersistentPoint& point : facts.pairs.at(0).incremental->points)
+      replaced += point.reason == "replaced";
+    const trace::Pair& pair = facts.pairs.at(1);
+    ASSERT_LE(pair.manifolds.size(), 1u);
+    for (const trace::PersistentPoint& point : pair.incremental->points) {
+      if (point.reason == "apart" || point.reason == "slid") ++lost;
+      if (point.reason != "too close") continue;
+      ++rejected;
+      EXPECT_EQ(point.age, 0);
+      // It is not in the manifold, and one that is there is within 40 mm.
+      double nearest = 1;
+      for (const trace::Point& kept : pair.manifolds.at(0).points) {
+        EXPECT_NE(kept.id, point.point.id);
+        nearest = std::min(nearest, (kept.position - point.point.position).norm());
+      }
+      EXPECT_LT(nearest, 0.04) << frame;
+    }
+  }
+  EXPECT_GT(replaced, 5);
+  EXPECT_GT(rejected, 5);
+  EXPECT_GT(lost, 0);
+}
+
 TEST(IncrementalRun, AReplacedPointBeginsWithTheImpulseThatItsNameHad) {
   const Scenario scenario = parse_scenario(kRollingWheel, "g/a.toml");
   Runner runner(scenario);

@@ -295,6 +295,8 @@ TEST(IdleKeys, AreReportedWithTheirLineAndTheRemedy) {
   EXPECT_THAT(warnings(moving + "[pipeline]\npenetration = \"sat\"\nconfirm = \"ids\"\n"),
               ElementsAre(::testing::StartsWith("line 11: 'penetration' has no effect"),
                           ::testing::StartsWith("line 12: 'confirm' has no effect")));
+  EXPECT_THAT(warnings(moving + "[pipeline]\ntoo_close = \"reject\"\n"),
+              ElementsAre(::testing::StartsWith("line 11: 'too_close' has no effect")));
   EXPECT_THAT(warnings(moving + "[pipeline]\nmanifold = \"incremental\"\npenetration = \"epa\"\n"
                                 "core_margin = 0.1\nbreaking_distance = 0.1\n"),
               ElementsAre("line 13: 'core_margin' has no effect: only hulls have a core margin; "

@@ -163,8 +163,24 @@ void shorten(const Scene& scene, const trace::Pair& pair, Arrow& arrow) {
   arrow.width = std::min(arrow.width, kSlim), arrow.head = std::min(arrow.head, kSmallHead);
 }
 
+/// The gradient of a distance: the unit direction in which it grows fastest as B moves.
+void draw_gradient(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const auto& query = pair.query;
+  if (!query || !query->gap || *query->gap <= 0 || !query->point_a || !query->point_b) return;
+  const Arrow arrow{.from = *query->point_b,
+                    .direction = (*query->point_b - *query->point_a).normalized(),
+                    .pixels = kUsualLength,
+                    .width = 3,
+                    .head = 13,
+                    .color = kNormal};
+  if (!has_room(scene.camera, arrow)) return;
+  sketch.arrows.push_back(arrow);
+  sketch.explain(kNormalSwatch, "gradient: the distance grows fastest if B moves so", arrow.from);
+}
+
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (scene.scales.heap) return;  // see draw_crowd()
+  draw_gradient(scene, pair, sketch);
   draw_rivals(scene, pair, sketch);
   draw_voided(scene, pair, sketch);
   // Full-length arrows on a mesh would be too dense.

@@ -28,7 +28,8 @@ bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   });
 }
 
-// Arrow from a replaced point to its successor, with the distance.
+// Arrow from a replaced point to its successor, with the distance; from a rejected point a line to
+// the old point that is too close.
 void lead_to_successor(const Scene& scene, const trace::Pair& pair,
                        const trace::PersistentPoint& point, Sketch& sketch) {
   const trace::PersistentPoint* nearest = nullptr;
@@ -43,7 +44,9 @@ void lead_to_successor(const Scene& scene, const trace::Pair& pair,
   const Vec3d& from = point.point.position;
   const Vec3d offset = nearest->point.position - from;
   const double clear = kClearOfDot * scene.scales.pixel / scene.camera.pixels_per_metre(from);
-  if (offset.norm() > 2 * clear)
+  if (point.reason == "too close")
+    sketch.bordered_line(from, from + offset, {2, kDropped}, 4);
+  else if (offset.norm() > 2 * clear)
     sketch.arrow_to_scale(from, offset - clear * offset.normalized(), 2, 10, kDropped);
   sketch.label(from + 0.5 * offset,
                spell_length(offset.norm(), scene.noise(pair), scene.scales.length), kDropped, 17, 9,
@@ -78,7 +81,8 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
     sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why", at);
     sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
     sketch.label(at, reported_reason(scene, pair, point), kDropped, 16, 12);
-    if (point.reason == "replaced") lead_to_successor(scene, pair, point, sketch);
+    if (point.reason == "replaced" || point.reason == "too close")
+      lead_to_successor(scene, pair, point, sketch);
     return;
   }
   const bool is_new = state == PointState::New;

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <limits>
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"

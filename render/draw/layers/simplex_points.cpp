@@ -12,6 +12,9 @@ constexpr Swatch kSimplexPointsSwatch{LegendGroup::Differences, 3,
 constexpr Swatch kFacePointsSwatch{LegendGroup::Differences, 4,
                                    [](auto& pen) { pen.dot(0, 4.8, kPolytope); }};
 
+constexpr Swatch kGapEndsSwatch{LegendGroup::Axes, 4,
+                                [](auto& pen) { pen.dot(0, 4.0, kAxisText); }};
+
 /// A point of a shape, which may belong to several vertices.
 struct SupportPoint {
   Vec3d at;
@@ -61,6 +64,10 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
   const Vec3d& to = epa ? pair.penetration->point_b : pair.gjk->point_b;
   sketch.arrows.push_back(
       {.from = from, .to = to, .double_headed = !epa, .bars = epa, .width = 3, .color = kAxis});
+  if (!epa) {
+    for (const Vec3d& end : {from, to}) sketch.mark(MarkKind::Dot, end, kAxisText);
+    sketch.explain(kGapEndsSwatch, "closest points", from);
+  }
   sketch.label(
       0.5 * (from + to),
       (epa ? "overlap " : "gap ") + spell_length(epa ? pair.penetration->depth : pair.gjk->distance,

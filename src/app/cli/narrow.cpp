@@ -1,10 +1,6 @@
 #include "app/cli/narrow.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <map>
-#include <set>
-#include <tuple>
 
 #include "app/cli/faults.h"
 #include "core/at.h"
