@@ -125,6 +125,10 @@ TEST(LintVerb, KnownAndIgnoredFindingsExitWithZero) {
   const ProgramRun next = run("lint --known '" + known + "' '" + flipped + "'");
   EXPECT_EQ(next.exit_code, 1);
   EXPECT_THAT(next.out, HasSubstr("[flipped_normals]"));
+  // The findings of one trace hold for traces of any name, and have no places.
+  const std::string other = folder.write("other.jsonl", crate("0,1,0", "-0.01"));
+  EXPECT_EQ(run("lint --known '" + known + "' '" + other + "'").exit_code, 0);
+  EXPECT_THAT(read_text(folder / "known.json"), Not(HasSubstr("marks")));
   EXPECT_EQ(run("lint --ignore half_depths '" + half + "'").exit_code, 0);
   EXPECT_EQ(run("lint --ignore half_depths:crate '" + half + "'").exit_code, 0);
   EXPECT_EQ(run("lint --ignore half_depths:crate,flipped_normals '" + half + "'").exit_code, 0);

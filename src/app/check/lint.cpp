@@ -26,7 +26,8 @@ Shares::key_type key_of(const std::string& file, const std::string& cause) {
 }
 double share(int count, int of) { return of > 0 ? static_cast<double>(count) / of : count; }
 
-/// The findings of a file that --json or --write-known has written. Throws InputError.
+/// The findings of a file that --json or --write-known has written: by file, or for any file if they
+/// are of one. Throws InputError.
 Shares known_findings(const std::string& path) {
   Shares shares;
   if (path.empty()) return shares;
@@ -35,9 +36,10 @@ Shares known_findings(const std::string& path) {
     if (!text) throw std::invalid_argument("there is no such file");
     const auto json = nlohmann::json::parse(*text);
     if (json.at("schema") != kSchema) throw std::invalid_argument("another schema");
+    const bool is_one = json.at("files").size() == 1;
     for (const nlohmann::json& file : json.at("files"))
       for (const nlohmann::json& one : file.at("findings"))
-        shares[key_of(file.at("file"), one.at("cause"))] = {
+        shares[key_of(is_one ? "" : file.at("file"), one.at("cause"))] = {
             share(one.at("count"), one.value("of", 0)), one.value("gross", kAnySize)};
   } catch (const std::exception& error) {
     throw InputError(path, 1, 1,
@@ -73,13 +75,13 @@ ExitCode run_lint(const Options& options) {
   nlohmann::ordered_json json{{"schema", kSchema}, {"files", nlohmann::ordered_json::array()}};
   const auto report = [&](const std::string& file, const std::vector<lint::Finding>& findings) {
     nlohmann::ordered_json one{{"file", file}, {"findings", nlohmann::ordered_json::array()}};
-    int known_here = 0;
-    bool clean_here = true;
+    int known_here = 0, new_here = 0;
     std::size_t printed = 0;  // findings before this one
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const lint::Finding& finding = findings[i];
       const bool is_fault = lint::is_reported(finding);
-      const auto before = known.find(key_of(file, finding.cause));
+      auto before = known.find(key_of(file, finding.cause));
+      if (before == known.end()) before = known.find(key_of("", finding.cause));
       const bool is_known = is_fault && before != known.end() &&
                             share(finding.count, finding.of) <= kMore * before->second.share &&
                             finding.gross <= std::max(kSmall, kGrosser * before->second.gross);
@@ -87,7 +89,7 @@ ExitCode run_lint(const Options& options) {
       if (is_known) entry["known"] = true;
       one[is_fault ? "findings" : finding.is_hint ? "hints" : "below"].push_back(entry);
       known_here += is_known;
-      if (is_fault && !is_known) clean_here = false;
+      new_here += is_fault && !is_known;
       const bool is_shown = is_fault ? !is_known : !options.quiet;
       if (options.json || !is_shown || i < printed) continue;
       const auto is_another = [&](const lint::Finding& other) {
@@ -98,10 +100,10 @@ ExitCode run_lint(const Options& options) {
       printed = options.verbose || !finding.b.empty() ? i + 1 : std::size_t(end - findings.begin());
       std::cout << record(file, gathered(findings, i, printed)) << '\n';
     }
-    clean = clean && clean_here;
+    clean = clean && new_here == 0;
     json["files"].push_back(one);
-    if (!clean_here || options.json || options.quiet) return;
-    std::cout << "ok  " << file;
+    if (options.json || options.quiet || (new_here > 0 && known_here == 0)) return;
+    std::cout << (new_here > 0 ? counted(new_here, "new finding") + "  " : "ok  ") << file;
     if (known_here > 0) std::cout << ", " << counted(known_here, "known finding");
     std::cout << '\n';
   };
@@ -119,6 +121,10 @@ ExitCode run_lint(const Options& options) {
     if (!one.shape.empty()) require_shape({shapes.begin(), shapes.end()}, "--ignore", one.shape);
   if (options.json) std::cout << json.dump() << '\n';
   if (!options.write_known.empty()) {
+    for (nlohmann::ordered_json& file : json["files"]) {
+      for (const char* unused : {"hints", "below"}) file.erase(unused);
+      for (nlohmann::ordered_json& one : file["findings"]) one.erase("marks");
+    }
     snapshot::write_text(options.write_known, json.dump(1) + "\n");
     return ExitCode::Same;
   }
