@@ -171,11 +171,11 @@ std::vector<trace::Study> study_bounding_trees(const StudyOptions& options,
                   {"time", "How long a query of two trees takes", "milliseconds of a query"}},
                  trace::StudyForm::Curves);
   const StudyStep step = counted(progress, 3);
-  add_volume<Slabs<3>>("axis-aligned boxes, 24 bytes", options, results);
+  add_volume<Slabs<3>>("axis-aligned boxes (24 bytes)", options, results);
   step("axis-aligned boxes");
-  add_volume<OrientedBox>("oriented boxes, 60 bytes", options, results);
+  add_volume<OrientedBox>("oriented boxes (60 bytes)", options, results);
   step("oriented boxes");
-  add_volume<Slabs<9>>("polytopes of 18 planes, 72 bytes", options, results);
+  add_volume<Slabs<9>>("polytopes of 18 planes (72 bytes)", options, results);
   step("polytopes of 18 planes");
   return results;
 }

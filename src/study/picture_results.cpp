@@ -339,7 +339,7 @@ std::string result_of_trees(Picture& plot) {
     const double value = plot.error(line.method);
     found += (found.ends_with("mm") ? ": " : ", ") +
              plot.mark(line.method, is_time ? number(value) + " ms" : count(value)) +
-             (is_time ? " with " : " ") + line.method.substr(0, line.method.find(','));
+             (is_time ? " with " : " ") + line.method.substr(0, line.method.find(" ("));
   }
   return found;
 }

@@ -34,8 +34,8 @@ const std::vector<Kept> kDepthMethods = {
     {"Bullet, EPA", "Bullet, EPA", kQuiet},  {"Bullet, SAT", "Bullet, SAT", kQuiet},
     {"libccd, EPA", "libccd, EPA", kQuiet},  {"libccd, MPR", "libccd, MPR", kQuiet}};
 constexpr const char* kPenetration =
-    "Hulls of 32 vertices that overlap. 8192 directions: the least overlap along these, then a "
-    "descent. libccd's EPA splits only the nearest face, so its polytope does not stay convex";
+    "Hulls of 32 vertices. 8192 directions: the least overlap along these, then a descent. "
+    "libccd's EPA: its polytope does not stay convex";
 const std::vector<Kept> kPrecisions = {{"float, separating axis test", "float"},
                                        {"double, separating axis test", "double"},
                                        {"Bullet, SAT", "Bullet, float", kQuiet}};
