@@ -1,6 +1,7 @@
 // The bodies: one instanced mesh for all of one form, and the lines of their edges.
 
 const WALL = 2.5;  // sizes of a typical body: what is larger may be a wall
+const FLOWN = 5;  // times the median distance: what is farther has left the heap
 const SMALL = 0.1;  // sizes per distance: half a pixel is less than what coarser surfaces change
 const CREASE = Math.cos(25 * Math.PI / 180);  // flatter edges are not drawn
 // A window through all that stands before what is selected: its middle and radius (0: none), and whether it opens for a colour.
@@ -113,13 +114,15 @@ class Bodies {
   constructor(scene, opaque) {
     // A body is an `a` if it is first in the first pair that names it.
     this.isA = data.shapes.map((_, body) => (data.pairs.find(([a, b]) => a === body || b === body) || [body])[0] === body);
-    this.sizes = data.shapes.map(shape => {
-      const box = new THREE.Box3().setFromPoints((shape.vertices || []).map(point3));
-      return box.isEmpty() ? 0 : box.getSize(new THREE.Vector3()).length() + 2 * (shape.radius || 0);
-    });
+    this.boxes = data.shapes.map(shape => new THREE.Box3().setFromPoints((shape.vertices || []).map(point3)));
+    this.sizes = this.boxes.map((box, body) => box.isEmpty() ? 0 : box.getSize(new THREE.Vector3()).length() + 2 * (data.shapes[body].radius || 0));
     const sizes = this.sizes.filter(size => size > 0).sort((a, b) => a - b);
     this.size = sizes[sizes.length >> 1] || 1;  // of a typical body, metres
     this.reach = 1.5 * (sizes.pop() || 4);
+    const isWall = this.isWall = data.shapes.map((shape, body) => opaque && shape.type !== 'mesh' && this.sizes[body] > WALL * this.size);
+    // The thinnest wall, so that one is cut away too if the contacts are on its other face.
+    const thinnest = this.boxes.reduce((least, box, body) => isWall[body] ? Math.min(least, ...box.getSize(new THREE.Vector3()).toArray()) : least, Infinity);
+    this.wall = Math.min(0.2 * this.size, 0.4 * thinnest);
     this.creases = data.shapes.map(creases);
     this.subject = { value: new THREE.Vector3() };  // the middle of the contacts
     this.opaque = opaque;
@@ -138,12 +141,11 @@ class Bodies {
       const { geometry, open, round } = surfaceOf(data.shapes[members[0]], this.reach);
       const tints = setAttribute(geometry, 'tint', new Float32Array(4 * members.length), 4, true);
       // One material for all bodies of a kind; without a GPU each change of it takes time, and so does what is hidden.
-      const isWall = opaque && data.shapes[members[0]].type !== 'mesh' && this.sizes[members[0]] > WALL * this.size;
-      const material = this.materials[[open, round, isWall]] ??= new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1],
+      const wall = isWall[members[0]], material = this.materials[[open, round, wall]] ??= new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1],
         transparent: !opaque, depthWrite: opaque, side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
-        defines: { ...round && { ROUND: 1 }, ...!round && !open && { FLAT: 1 }, ...isWall && { WALL: 1 } },
+        defines: { ...round && { ROUND: 1 }, ...!round && !open && { FLAT: 1 }, ...wall && { WALL: 1 } },
         uniforms: { tones: { value: point3(data.tones) }, borders: { value: new THREE.Vector2(...data.tone_borders) },
-          edge: { value: new THREE.Vector3() }, alpha: { value: opaque ? 1 : 0.62 }, window: windowed, subject: this.subject, wall: { value: isWall ? 0.2 * this.size : 0 } } });
+          edge: { value: new THREE.Vector3() }, alpha: { value: opaque ? 1 : 0.62 }, window: windowed, subject: this.subject, wall: { value: wall ? this.wall : 0 } } });
       const mesh = Object.assign(new THREE.InstancedMesh(geometry, material, members.length), { frustumCulled: false });
       scene.add(mesh);
       const coarse = round ? surfaceOf(data.shapes[members[0]], this.reach, 0.75).geometry : geometry;
@@ -167,10 +169,49 @@ class Bodies {
     });
   }
 
-  /** Opens a window to the smaller of the bodies, at their contacts if there are any in the record. */
-  open(chosen, record) {
-    const body = chosen.filter(one => this.here[one]).sort((a, b) => this.sizes[a] - this.sizes[b])[0], at = [];
+  /** The bodies with a place, from the smallest. */
+  bySize(bodies) { return bodies.filter(one => this.here[one] && !this.boxes[one].isEmpty()).sort((a, b) => this.sizes[a] - this.sizes[b]); }
+  /** The sphere about a body, where it is now or in a frame: [x, y, z, radius]. */
+  sphere(body, frame) {
+    const middle = this.boxes[body].getCenter(new THREE.Vector3()), pose = frame === undefined ? null : poseOf(body, frame);
+    if (pose) middle.applyQuaternion(new THREE.Quaternion(pose[4], pose[5], pose[6], pose[3])).add(point3(pose));
+    else middle.applyMatrix4(this.matrices[body]);
+    return [...middle.toArray(), this.sizes[body] / 2];
+  }
+  /** Spheres about all bodies of a frame but planes, walls and what has flown off: it is farther from the median than most by a factor. */
+  heap(frame) {
+    const all = data.shapes.map((_, body) => body).filter(body => poseOf(body, frame) && !this.boxes[body].isEmpty()), small = all.filter(body => this.sizes[body] <= WALL * this.size);
+    const spheres = (small.length ? small : all).map(body => this.sphere(body, frame)), median = list => list.sort((a, b) => a - b)[list.length >> 1];
+    const middle = [0, 1, 2].map(k => median(spheres.map(at => at[k]))), far = spheres.map(at => Math.hypot(...middle.map((x, k) => at[k] - x)));
+    const limit = FLOWN * median([...far]) + 2 * this.size;
+    return spheres.filter((_, i) => far[i] <= limit);
+  }
+  /** Spheres about what to look at if these bodies are selected: their corners, but not those of what is much larger than the smallest; and the record's points. */
+  outline(chosen, record) {
+    const bodies = this.bySize(chosen), places = [];
+    for (const body of bodies.filter(one => this.sizes[one] < 4 * this.sizes[bodies[0]])) {
+      const { vertices, radius = 0 } = data.shapes[body];
+      for (const vertex of vertices) places.push([...point3(vertex).applyMatrix4(this.matrices[body]).toArray(), radius]);
+    }
+    if (record >= 0) eachPoint(record, i => places.push([...positionOf(i), 0]));
+    return places;
+  }
+  /** Whether a wall between an eye and the subject is cut away. */
+  cuts(eye) {
+    const { subject: { value: subject }, matrices } = this, corner = new THREE.Vector3(), normal = new THREE.Vector3();
+    return this.isWall.some((isWall, body) => isWall && this.here[body] && (data.shapes[body].faces || []).some(face => {
+      const [a, b, c] = face.map(i => point3(data.shapes[body].vertices[i]));
+      normal.copy(b.sub(a)).cross(c.sub(a)).transformDirection(matrices[body]);
+      corner.copy(a).applyMatrix4(matrices[body]);
+      return normal.dot(subject) - normal.dot(corner) < -this.wall && normal.dot(eye) > normal.dot(corner);
+    }));
+  }
+
+  /** Opens a window to the smaller of the bodies, at their contacts if there are any in the record. `middle`: the subject if there are none. */
+  open(chosen, record, middle) {
+    const body = this.bySize(chosen)[0], at = [];
     windowed.value.set(0, 0, 0, 0);
+    this.subject.value.copy(middle);
     const isOpen = body !== undefined && this.opaque;
     // Only then, since no fragment is left out early where any may be discarded.
     for (const material of Object.values(this.materials))
@@ -181,8 +222,9 @@ class Bodies {
       }
     if (!isOpen) return;
     if (record >= 0) eachPoint(record, i => at.push(point3(positionOf(i))));
-    const middle = at.length ? at.reduce((sum, one) => sum.add(one), new THREE.Vector3()).divideScalar(at.length) : new THREE.Vector3().setFromMatrixPosition(this.matrices[body]);
-    windowed.value.set(...middle.toArray(), 0.8 * Math.min(this.sizes[body] || this.size, 2 * this.size));
+    this.subject.value.copy(at.length ? at.reduce((sum, one) => sum.add(one), new THREE.Vector3()).divideScalar(at.length) : point3(this.sphere(body)));
+    const far = this.outline(chosen, -1).reduce((most, [x, y, z, radius]) => Math.max(most, this.subject.value.distanceTo(new THREE.Vector3(x, y, z)) + radius), 0);
+    windowed.value.set(...this.subject.value.toArray(), Math.min(far, 1.6 * this.size));
   }
 
   /** `chosen`: bodies that stand out. */

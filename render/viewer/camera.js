@@ -6,6 +6,7 @@ class Orbit {
   constructor(canvas, upIsZ, changed) {
     this.camera = new THREE.PerspectiveCamera();
     this.camera.up.set(0, upIsZ ? 0 : 1, upIsZ ? 1 : 0);
+    this.aspect = 1;
     // Yaw: about up. Pitch: above the horizon.
     Object.assign(this, { canvas, upIsZ, changed, target: new THREE.Vector3(), yaw: 0.6, pitch: 0.4, distance: 5, pointers: new Map(), moved: false });
     canvas.addEventListener('pointerdown', event => this.down(event));
@@ -24,14 +25,32 @@ class Orbit {
     this.pitch = Math.asin(Math.min(1, Math.max(-1, this.upIsZ ? z : y)));
     this.yaw = this.upIsZ ? Math.atan2(x, -y) : Math.atan2(x, z);
   }
+  /** Unit vector from the target to the eye. */
+  toEye() {
+    const { yaw, pitch } = this, flat = Math.cos(pitch), [s, c, up] = [flat * Math.sin(yaw), flat * Math.cos(yaw), Math.sin(pitch)];
+    return this.upIsZ ? new THREE.Vector3(s, -c, up) : new THREE.Vector3(s, up, c);
+  }
+  /** The nearest view of spheres [x, y, z, radius] with all of them in it, with `room` times their extent around: { target, distance }. `target`: where it looks, unless at their middle. */
+  viewOf(spheres, room, target) {
+    const back = this.toEye(), right = this.camera.up.clone().cross(back).normalize(), axes = [right, back.clone().cross(right), back];
+    const tall = Math.tan(FIELD / 2) / Math.min(1, this.aspect), edges = [tall * this.aspect / room, tall / room];
+    const along = spheres.map(([x, y, z]) => axes.map(axis => axis.x * x + axis.y * y + axis.z * z));
+    const middle = target ? axes.map(axis => axis.dot(target)) : [0, 1, 2].map(k => {
+      const [low, high] = [-1, 1].map(sign => sign * along.reduce((most, at, i) => Math.max(most, sign * at[k] + spheres[i][3]), -Infinity));
+      return (low + high) / 2;
+    });
+    const distance = along.reduce((most, at, i) => Math.max(most, ...edges.map((edge, k) =>
+      (Math.abs(at[k] - middle[k]) + spheres[i][3] * Math.hypot(1, edge)) / edge + at[2] - middle[2])), 0);
+    return { target: axes.reduce((sum, axis, k) => sum.addScaledVector(axis, middle[k]), new THREE.Vector3()), distance };
+  }
   place(width, height, reach) {
-    const { camera, yaw, pitch, distance } = this, flat = Math.cos(pitch), [s, c, up] = [flat * Math.sin(yaw), flat * Math.cos(yaw), Math.sin(pitch)];
-    camera.aspect = width / height;
+    const { camera, distance } = this;
+    camera.aspect = this.aspect = width / height;
     // A view that is higher than wide keeps its width.
     camera.fov = 2 * Math.atan(Math.tan(FIELD / 2) / Math.min(1, camera.aspect)) * 180 / Math.PI;
     camera.near = distance / 50;
     camera.far = distance + reach * 3;
-    camera.position.copy(this.target).addScaledVector(this.upIsZ ? new THREE.Vector3(s, -c, up) : new THREE.Vector3(s, up, c), distance);
+    camera.position.copy(this.target).addScaledVector(this.toEye(), distance);
     camera.lookAt(this.target);
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();

@@ -207,6 +207,8 @@ function eachPoint(record, look) {
     for (let i = data.manifolds.first[m]; i < data.manifolds.first[m + 1]; ++i) look(i, m);
 }
 const recordsOf = frame => Array.from({ length: data.contacts.first[frame + 1] - data.contacts.first[frame] }, (_, i) => data.contacts.first[frame] + i);
+/** The frame's five deepest records. */
+const deepestOf = frame => recordsOf(frame).sort((a, b) => data.contacts.separation[a] - data.contacts.separation[b]).slice(0, 5);
 /** The frame's record of a pair; -1: none. */
 const recordOf = (pair, frame) => data.contacts.pair.subarray(0, data.contacts.first[frame + 1]).indexOf(pair, data.contacts.first[frame]);
 /** The stages of a record, from their form and values. */
@@ -236,15 +238,19 @@ function velocityOf(body, frame) {
 /** Names a point of a pair in any frame: its id, or its place in the list where ids are missing; and a number where they are double. */
 function pointKey(point, record) {
   const first = data.manifolds.first[data.contacts.manifolds[record]], { id } = data.points, same = id.subarray(first, point).filter(one => one === id[point]).length;
-  return data.texts[id[point]] ? data.texts[id[point]] + (same ? '~' + same : '') : '#' + (point - first + 1);
+  return data.texts[id[point]] ? data.texts[id[point]] + (same ? '~' + same : '') : '#' + (point - first);
+}
+/** As lint names it. */
+function pointName(point, m, record) {
+  const manifold = m - data.contacts.manifolds[record];
+  return 'point ' + (point - data.manifolds.first[m]) + (manifold ? ' of manifold ' + manifold : '');
 }
 
 /** Totals of each frame for the timeline: overlap (m), points, impulse (N s); and the deepest point. */
 function totals() {
-  const column = () => new Float64Array(data.frames.length), all = { overlap: column(), points: column(), impulse: column(), worst: column().fill(-1) };
+  const column = () => new Float64Array(data.frames.length), all = { overlap: column(), points: column(), impulse: Float64Array.from(data.impulses), worst: column().fill(-1) };
   data.frames.forEach((_, frame) => recordsOf(frame).forEach(record => eachPoint(record, i => {
     ++all.points[frame];
-    all.impulse[frame] += data.points.impulse[i] || 0;
     if (-data.points.separation[i] <= all.overlap[frame]) return;
     all.overlap[frame] = -data.points.separation[i];
     all.worst[frame] = i;
@@ -255,9 +261,14 @@ function totals() {
 // ---- Numbers in words: three digits, units always, a minus sign
 
 const digits = value => (Math.abs(value) >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(3)))).replace('-', '\u2212');
+/** Three digits, or those that are certain (facts.cpp). */
 const metres = value => {
-  const [factor, unit] = Math.abs(value) >= 1 || value === 0 ? [1, ' m'] : Math.abs(value) >= 1e-4 ? [1e3, ' mm'] : [1e6, ' \u00b5m'];
-  return digits(value * factor) + unit;
+  if (!Number.isFinite(value) || value === 0) return value === 0 ? '0 mm' : '';
+  const least = Math.ceil(Math.log10(data.fine)), last = Math.max(Math.floor(Math.log10(Math.abs(value))) - 2, least);
+  const rounded = Math.round(value / 10 ** last) * 10 ** last, size = Math.abs(rounded) || 10 ** least;
+  const [power, unit] = size >= 1 ? [0, ' m'] : size >= 0.99e-4 ? [3, ' mm'] : size >= 0.99e-7 ? [6, ' \u00b5m'] : [9, ' nm'];
+  const more = size >= 10 ** (last + 3) * (1 - 1e-9) ? 1 : 0;  // 9.996 is 10.0
+  return ((rounded ? '' : '< ') + ((rounded || size) * 10 ** power).toFixed(Math.max(0, -last - more - power))).replace('-', '\u2212') + unit;
 };
 const newtonSeconds = value => digits(value) + ' N s';
 const gapRow = separation => separation > 0 ? ['gap', metres(separation)] : ['overlap', metres(-separation || 0)];

@@ -48,13 +48,34 @@ std::int32_t upper_bits(double value, int kept) {
   return static_cast<std::int32_t>((bits + (1u << (22 - kept))) >> (23 - kept));
 }
 
+/// `code` of a positive number, or the one next to it that has the same digits on the page: three, or
+/// fewer where `step` is larger than these.
+template <class Decoded>
+std::int32_t same_digits(double value, double step, std::int32_t code, Decoded decoded) {
+  if (!(value > 0) || !std::isfinite(value)) return code;
+  const double cell =
+      std::pow(10, std::max(std::floor(std::log10(value)) - 2, std::ceil(std::log10(step))));
+  for (const std::int32_t near : {code, code + 1, code - 1})
+    if (std::round(decoded(near) / cell) == std::round(value / cell)) return near;
+  return code;
+}
+
 /// Takes a positive number; 0 means that it is not recorded.
-std::int32_t float_steps(double value) { return upper_bits(std::max(0.0, value), 10) + 1; }
+std::int32_t float_steps(double value) {
+  const auto decoded = [](std::int32_t code) {
+    return std::bit_cast<float>(std::uint32_t(code) << 13);
+  };
+  return same_digits(value, 0, upper_bits(std::max(0.0, value), 10), decoded) + 1;
+}
 
 /// Multiples of `step` up to 2048 of them; above, 11 bits after the first one.
 std::int32_t fine_steps(double value, double step) {
   const double size = std::abs(value) / step;
-  const std::int32_t code = size < 2048 ? steps(size, 1) : upper_bits(size, 11) - (137 << 11);
+  const std::int32_t nearest = size < 2048 ? steps(size, 1) : upper_bits(size, 11) - (137 << 11);
+  const std::int32_t code = same_digits(std::abs(value), step, nearest, [&](std::int32_t near) {
+    return step *
+           (near < 2048 ? near : std::bit_cast<float>(std::uint32_t(near + (137 << 11)) << 12));
+  });
   return value < 0 ? -code : code;
 }
 
@@ -79,20 +100,12 @@ PackedFacts::PackedFacts(const trace::Header& header)
 #define CONTACTSCOPE_NAMED(page, name, count) {#page, k##name},
   json_["fields"] = {CONTACTSCOPE_VIEWER_FIELDS(CONTACTSCOPE_NAMED){"FIELDS", kFields}};
 #undef CONTACTSCOPE_NAMED
-  for (const char* list : {"frames", "times", "pairs", "texts", "forms"})
+  for (const char* list : {"frames", "times", "impulses", "pairs", "texts", "forms"})
     json_[list] = ordered_json::array();
   for (const char* object : {"masses", "deformed"}) json_[object] = ordered_json::object();
   for (const char* list : {"poses", "records", "manifolds", "points", "values"}) counts_[list] = 0;
   for (const trace::Shape& shape : header.shapes) bodies_.emplace(shape.name, count_of(bodies_));
   poses_.resize(bodies_.size());
-}
-
-double PackedFacts::shown(double separation) const {
-  if (!std::isfinite(separation)) return separation;
-  const std::int32_t code = fine_steps(separation, fine_), size = std::abs(code);
-  const double times =
-      size < 2048 ? size : std::bit_cast<float>(std::uint32_t(size + (137 << 11)) << 12);
-  return (code < 0 ? -times : times) * fine_;
 }
 
 void PackedFacts::put(int field, int value, int predicted) {
@@ -259,6 +272,13 @@ void PackedFacts::add(const trace::Frame& frame) {
     shorten(rest["deformed"]);
     json_["deformed"][std::to_string(json_["frames"].size() - 1)] = rest["deformed"];
   }
+  double impulse = 0;
+  for (const trace::Pair& pair : frame.pairs)
+    for (const trace::Manifold& manifold : pair.manifolds)
+      for (const trace::Point& point : manifold.points)
+        if (point.impulse && point.impulse->normal > 0) impulse += point.impulse->normal;
+  json_["impulses"].push_back(impulse);
+  shorten(json_["impulses"].back());
   put(kPairs, count_of(frame.pairs), at(last_, kPairs).value);
   for (std::size_t i = 0; i < frame.pairs.size(); ++i) {
     ordered_json& stages = rest["pairs"][i];

@@ -109,14 +109,12 @@ enum Field { CONTACTSCOPE_VIEWER_FIELDS(CONTACTSCOPE_ENUMERATOR) kFields };
 
 /// Positions of bodies are multiples of `quantum`: 1/16384 of the smallest shape, rounded down to a
 /// power of two; those of points multiples of four quanta. Separations are multiples of quantum / 256
-/// or have 12 bits, impulses have 11.
+/// or have 12 bits, impulses have 11; the digits that the page shows of them do not change.
 class PackedFacts {
  public:
   explicit PackedFacts(const trace::Header& header);
 
   void add(const trace::Frame& frame);
-  /// A separation as the page shows it: rounded.
-  double shown(double separation) const;
   /// Length of the JSON (4 bytes, little-endian), the JSON, the integers. `page` has the page's own
   /// keys.
   std::string bytes(nlohmann::ordered_json page) const;

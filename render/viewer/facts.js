@@ -20,31 +20,40 @@ function button(text, more, parent, act) {
   made.addEventListener('click', act);
 }
 
+/** The example of a finding, then what to do. */
+function explain({ said, is, remedy }, parent) {
+  if (said || is) make('p', [said, is].filter(Boolean).join('; ') + '.', parent);
+  if (remedy) make('p', 'Remedy: ' + remedy + '.', parent, 'quiet');
+}
+
 class Facts {
   /** `select` takes a selection, `css` gives the colour of a role. */
   constructor(panel, select, css) { Object.assign(this, { panel, select, css }); }
 
-  show(selection, frame) {
-    const records = recordsOf(frame), { separation } = data.contacts;
+  /** `open`: the finding that is explained elsewhere on the page. */
+  show(selection, frame, open) {
+    this.open = open;
+    const records = recordsOf(frame);
     this.frame = frame;
     this.panel.replaceChildren();
     if (selection && selection.body !== undefined) return this.body(selection.body, records);
     if (selection) return this.pair(selection, recordOf(selection.pair, frame));
     make('h2', 'This frame', this.panel);
     table([['pairs', digits(records.length)], ['points', digits(data.totals.points[frame])], ['deepest overlap', metres(data.totals.overlap[frame])]], this.panel);
-    this.pairs('Deepest pairs', records.sort((a, b) => separation[a] - separation[b]).slice(0, 5));
+    this.pairs('Deepest pairs', deepestOf(frame));
   }
 
   /** What lint says of what is selected, first of all: in this frame, or in which others. */
   lint(names) {
-    for (const { what, said, is, remedy, index, at } of data.findings) {
+    for (const finding of data.findings.filter(one => one !== this.open)) {
+      const { what, index, at } = finding;
       const frames = new Set(names.flatMap(name => [...at.get(name) || []])), others = frames.size - (frames.has(this.frame) ? 1 : 0);
       if (!frames.size) continue;
       const box = make('section', undefined, this.panel, 'finding'), more = others + ' more frame' + (others === 1 ? '' : 's');
       make('p', what, box);
       if (frames.has(this.frame)) make('p', others ? 'In this frame, and in ' + more + '.' : 'In this frame alone.', box, 'quiet');
       else make('p', 'Not in this frame: in frame ' + data.frames[Math.min(...frames)] + (others > 1 ? ' first, of ' + others : '') + '.', box, 'quiet');
-      if (index === this.frame) make('p', [said, is, remedy].filter(Boolean).join('; ') + '.', box, 'quiet');
+      if (index === this.frame) explain(finding, box);
     }
   }
 
@@ -95,10 +104,10 @@ class Facts {
       make('p', 'The pair has no contact in this frame.', this.panel);
     } else {
       const words = name => String(QUANTITIES[name](record) || '').replace(/_/g, ' '), normal = normalsOf(record)[0] ?? [NaN, NaN, NaN];
-      table([['kind', data.pairs[pair][3]], ['state', contacts.state[record] ? 'touching' : 'separated'], gapRow(contacts.separation[record]), ['points', words('points') || '0'],
+      // Kinds as lint has them: of what the shapes were, not of how they collide.
+      table([['kind', data.pairs[pair].slice(0, 2).map(body => data.shapes[body].type).join('-')], ['state', contacts.state[record] ? 'touching' : 'separated'], gapRow(contacts.separation[record]), ['points', words('points') || '0'],
         ['normal', Number.isNaN(normal[0]) ? '' : vectorText(normal)], ['axis', words('axis')], ['type', words('type')]].filter(([, value]) => value), this.panel);
-      let number = 0;
-      eachPoint(record, (i, m) => this.point(i, m, ++number, pointKey(i, record), { pair, point }));
+      eachPoint(record, (i, m) => this.point(i, m, record, { pair, point }));
       this.stages(stagesOf(record));
     }
     const over = quantity => of.map(at => at < 0 ? NaN : quantity(at));
@@ -108,9 +117,9 @@ class Facts {
     this.history(point ? 'impulse of the point' : 'impulse', newtonSeconds, point ? ofPoint(points.impulse) : over(QUANTITIES.impulse));
   }
 
-  point(i, m, number, key, { pair, point }) {
-    const { id, separation, impulse, friction } = data.points, isChosen = key === point, box = make('section', undefined, this.panel, isChosen ? 'chosen' : '');
-    button('point ' + number, gapRow(separation[i]).join(' '), box, () => this.select(isChosen ? { pair } : { pair, point: key }));
+  point(i, m, record, { pair, point }) {
+    const { id, separation, impulse, friction } = data.points, key = pointKey(i, record), isChosen = key === point, box = make('section', undefined, this.panel, isChosen ? 'chosen' : '');
+    button(pointName(i, m, record), gapRow(separation[i]).join(' '), box, () => this.select(isChosen ? { pair } : { pair, point: key }));
     if (!isChosen) return;
     const rows = [['id', data.texts[id[i]] || 'none'], gapRow(separation[i]), ['position', vectorText(positionOf(i)) + ' m']];
     if (!Number.isNaN(impulse[i])) rows.push(['impulse', newtonSeconds(impulse[i])], ['friction impulse', newtonSeconds(friction[i])]);

@@ -18,10 +18,12 @@ class Layers {
     this.strongest = data.points.impulse.reduce((most, impulse) => Math.max(most, impulse || 0), 0);
   }
 
-  /** Fills lines, dots and polygons. Returns labels: { at, text, role }. `on`: layers; `found`: records to mark. */
-  draw(frame, on, selection, found) {
+  /** Fills lines, dots and polygons. Returns labels: { at, text, role }, the most important first. `on`: layers; `found`: records to mark; `finding`: the one that is open. */
+  draw(frame, on, selection, found, finding) {
     const { lines, dots, fills, bodies } = this, { contacts, manifolds, points } = data, ink = role => color.get(role), worst = data.totals.worst[frame];
     const labels = this.labels = [];
+    this.drawFinding(frame, finding);
+    this.drawBodies(frame, on, selection);
     for (const marks of [lines, dots, fills]) marks.rows = 0;
     this.crowd = contacts.manifolds[contacts.first[frame + 1]] - contacts.manifolds[contacts.first[frame]] > CROWD;
     for (const record of recordsOf(frame)) {
@@ -40,7 +42,7 @@ class Layers {
             if (found.has(record)) dots.add(at, ink('finding'), RING, radius + 5);
             if (few && overlap > 0) lines.add(at, at.map((x, k) => x + normal[k] * overlap * this.factor), ink('contacts'), 2.5);
           }
-          if (on.has('ids') && few) labels.push({ at, text: data.texts[points.id[i]], role: 'text' });
+          if (on.has('ids') && few) labels.push({ at, text: data.texts[points.id[i]], role: 'text', isSmall: true });
           if (on.has('impulses') && points.impulse[i] > 0)
             lines.arrow(at, normal, bodies.size * 0.8 * points.impulse[i] / this.strongest, ink('impulses'), few ? 2.5 : 1.5);
           if (chosen && pointKey(i, record) === selection.point) dots.add(at, ink('text'), RING, 12);
@@ -51,12 +53,31 @@ class Layers {
     if (worst >= 0 && on.has('contacts')) {
       dots.add(positionOf(worst), ink('contacts'), DOT, 8);
       dots.add(positionOf(worst), ink('text'), RING, 11);
-      labels.push({ at: positionOf(worst), text: 'deepest: ' + metres(-points.separation[worst]), role: 'text' });
+      labels.unshift({ at: positionOf(worst), text: 'deepest: ' + metres(-points.separation[worst]), role: 'text' });
     }
-    this.drawBodies(frame, on, selection);
+    for (const { at, text } of this.marks) {
+      dots.add(at, ink('text'), WIDE_RING, 15);
+      labels.unshift({ at, text, role: 'text', away: 18 });
+    }
     for (const marks of [fills, lines, dots]) marks.flush();
     dots.look(bodies.size * 0.3, this.crowd ? 0.3 : 0.9);
     return labels;
+  }
+
+  /** The places that a finding names in a frame: as in pictures a wide ring, about the point, or the smaller body without one. */
+  drawFinding(frame, finding) {
+    const { bodies } = this, frames = recordsOf(frame);
+    this.marks = (finding ? finding.marked[frame] : []).slice(0, 20).map(({ key, at }) => {
+      const both = key.split(' ').map(Number).filter(body => body >= 0), body = bodies.bySize(both)[0];
+      const record = both.length < 2 ? undefined : frames.find(one => data.pairs[data.contacts.pair[one]].slice(0, 2).every(one => both.includes(one)));
+      let nearest = null, least = Infinity;
+      if (record !== undefined) eachPoint(record, (i, m) => {
+        const far = at ? Math.hypot(...at.map((x, k) => x - positionOf(i)[k])) : data.points.separation[i];
+        if (far < least) [least, nearest] = [far, { at: positionOf(i), text: 'lint: ' + pointName(i, m, record) }];
+      });
+      if (nearest && (!at || least < 0.02 * bodies.size)) return nearest;
+      return { at: at || (body === undefined ? null : bodies.sphere(body).slice(0, 3)), text: 'lint' };
+    }).filter(mark => mark.at);
   }
 
   drawStages({ clip, reduction }, on) {
@@ -81,7 +102,11 @@ class Layers {
   }
 
   drawBodies(frame, on, selection) {
-    const { bodies, dots, lines } = this;
+    const { bodies, dots, lines } = this, { contacts } = data;
+    // In a heap only those of which the page speaks.
+    const pair = record => data.pairs[contacts.pair[record]].slice(0, 2), named = new Set(!selection ? [] : selection.pair === undefined ? [selection.body] : data.pairs[selection.pair].slice(0, 2));
+    if (on.has('names'))
+      for (const body of data.shapes.length <= 12 ? data.shapes.keys() : deepestOf(frame).flatMap(pair)) named.add(body);
     data.shapes.forEach((shape, body) => {
       if (!bodies.here[body]) return;
       const at = point3(shape.center_of_mass || [0, 0, 0]).applyMatrix4(bodies.matrices[body]).toArray();
@@ -91,7 +116,7 @@ class Layers {
       }
       const velocity = on.has('velocities') ? velocityOf(body, frame) : [0, 0, 0], speed = Math.hypot(...velocity);
       if (speed > 1e-3) lines.arrow(at, velocity.map(x => x / speed), Math.min(2 * bodies.size, speed * 0.15), color.get('velocities'), 2.5);
-      if (selection && selection.body === body || on.has('names') && data.shapes.length <= 12) this.labels.push({ at, text: shape.name, role: 'text' });
+      if (named.has(body)) this.labels.push({ at, text: shape.name, role: 'text' });
     });
   }
 }

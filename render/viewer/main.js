@@ -1,5 +1,8 @@
 // The page: state, drawing, picking, keys, the link's hash.
 
+const ROOM = 1.1;   // around all bodies
+const AROUND = 8;   // every other frame before and after, for a camera that moves smoothly
+
 async function start() {
   const [fixed, others] = unpacked(takeText('facts_data'), document.currentScript.textContent);
   let canvas = byId('view'), context = canvas.getContext('webgl', { alpha: false, antialias: false });
@@ -26,58 +29,91 @@ async function start() {
 
   const usual = data.layers.filter(layer => layer.on).map(layer => layer.name).join(), { contacts, manifolds } = data, count = (n, word) => n + ' ' + word + (n === 1 ? '' : 's');
   // A selection: { body }, { pair } or { pair, point }, with numbers of bodies and pairs and the key of a point.
-  const state = { frame: 0, selection: null, on: new Set(), find: '', theme: '', follow: -1 };
-  let found = [], foundRecords = new Set(), next = 0, dirty = true, labels = [], pending = 0;
+  const state = { frame: 0, selection: null, finding: -1, on: new Set(), find: '', theme: '', follow: -1 };
+  let found = [], foundRecords = new Set(), hits = [], next = 0, dirty = true, labels = [], note = [], pending = 0;
+  // Where the page begins without a finding: at the deepest overlap.
+  const best = Math.max(0, [data.totals.overlap, data.totals.points].map(list => list.indexOf(Math.max(1e-300, ...list))).find(at => at >= 0) ?? 0);
 
   // ---- Drawing
 
   const dark = matchMedia('(prefers-color-scheme: dark)'), theme = () => state.theme || (dark.matches ? 'dark' : 'light'), css = role => data[theme()][role];
-  const orbit = new Orbit(canvas, data.header.up === 'z', () => { dirty = true; link(); });
+  const orbit = new Orbit(canvas, data.header.up === 'z', () => { view = 'free'; dirty = true; link(); });
   const facts = new Facts(byId('facts'), select, css), timeline = new Timeline(byId('timeline'), go, css);
 
-  function paint() {
+  function ink() {
     document.documentElement.dataset.theme = theme();
     for (const [role, hex] of Object.entries(data[theme()])) {
       color.set(role, new THREE.Color(hex).toArray());
       document.documentElement.style.setProperty('--' + role, hex);
     }
+  }
+  function paint() {
+    ink();
     refresh();
   }
 
-  /** Looks at where contacts are, else at bodies: their median, and twice as far as half of them are from it. */
-  function fit() {
-    const busiest = data.totals.points[state.frame] ? state.frame : data.totals.points.indexOf(Math.max(...data.totals.points)), places = [];
-    bodies.place(busiest);
-    for (const record of recordsOf(busiest)) eachPoint(record, i => places.push(positionOf(i)));
-    if (!places.length) bodies.here.forEach((here, body) => here && places.push(bodies.matrices[body].elements.slice(12, 15)));
-    const median = list => list.sort((a, b) => a - b)[list.length >> 1] || 0, middle = [0, 1, 2].map(k => median(places.map(place => place[k])));
-    const spread = median(places.map(place => Math.hypot(...middle.map((x, k) => place[k] - x))));
-    orbit.target.set(...middle);
-    bodies.subject.value.set(...middle);
-    orbit.distance = Math.max(2 * spread, bodies.size * 0.8) / Math.tan(FIELD / 2);
-    if (data.camera) {
-      const { eye, forward, height, perspective } = data.camera, depth = orbit.target.clone().sub(point3(eye)).dot(point3(forward));
-      orbit.lookFrom(forward.map(x => -x));
-      if (!bodies.opaque && depth > 0) {  // as in the picture
-        orbit.target.copy(point3(eye)).addScaledVector(point3(forward), depth);
-        orbit.distance = 1.15 * height * (perspective ? depth : 1) / (2 * Math.tan(FIELD / 2));
-      }
+  // ---- The camera, until the user moves it: on all bodies ('all'), on what is selected ('selection'), or as the user left it ('free')
+
+  const views = new Map();
+  let view = 'all', viewsFrom = '';
+  /** As in the picture in a small scene, but wide enough for its bodies. In a heap what frames this one and those around it need, so that it moves smoothly. */
+  function viewOfAll(frame) {
+    const from = [orbit.yaw, orbit.pitch, orbit.aspect].join(), last = data.frames.length - 1;
+    if (from !== viewsFrom) views.clear();
+    viewsFrom = from;
+    if (data.camera && !bodies.opaque) {
+      const { eye, forward, height, perspective } = data.camera, spheres = bodies.heap(best);
+      const depth = orbit.viewOf(spheres, 1).target.sub(point3(eye)).dot(point3(forward)), target = point3(eye).addScaledVector(point3(forward), depth);
+      const drawn = 1.15 * height * (perspective ? depth : 1) / (2 * Math.tan(FIELD / 2)), needed = orbit.viewOf(bodies.outline(data.shapes.map((_, body) => body), -1), 1.1, target).distance;
+      if (depth > 0) return { target, distance: Math.max(drawn, Math.min(needed, 2 * drawn)) };
     }
+    const of = at => {
+      if (!views.has(at)) views.set(at, orbit.viewOf(bodies.heap(at), ROOM));
+      return views.get(at);
+    };
+    const near = Array.from({ length: 2 * AROUND + 1 }, (_, i) => frame + 2 * (i - AROUND)).filter(at => at >= 0 && at <= last).map(of).filter(one => one.distance > 0);
+    if (!near.length) return { target: orbit.target.clone(), distance: orbit.distance };
+    const target = near.reduce((sum, one) => sum.addScaledVector(one.target, 1 / near.length), new THREE.Vector3()), mean = near.reduce((sum, one) => sum + one.distance, 0) / near.length;
+    return { target, distance: Math.max(mean, orbit.viewOf(bodies.heap(frame), ROOM, target).distance) };
+  }
+  const chosen = () => !state.selection ? [] : state.selection.pair === undefined ? [state.selection.body] : data.pairs[state.selection.pair].slice(0, 2);
+  const recordOfSelection = () => state.selection && state.selection.pair !== undefined ? recordOf(state.selection.pair, state.frame) : -1;
+  /** Frames the bodies that are selected, with as much around them. */
+  function lookAtSelection() {
+    bodies.place(state.frame);
+    const places = bodies.outline(chosen(), recordOfSelection());
+    view = places.length ? 'selection' : 'all';
+    if (places.length) Object.assign(orbit, orbit.viewOf(places, state.selection.pair === undefined ? 3 : 1.7));
+    if (!(orbit.distance > 0)) orbit.distance = bodies.size;
+  }
+  function fit() {
+    if (data.camera) orbit.lookFrom(data.camera.forward.map(x => -x));
+    if (state.selection && view !== 'selection') lookAtSelection();
+    else view = 'all';
     refresh();
   }
 
   function refresh() {
-    const { frame, selection } = state, chosen = !selection ? [] : selection.pair === undefined ? [selection.body] : data.pairs[selection.pair].slice(0, 2);
+    const { frame, selection } = state, finding = data.findings[state.finding];
     bodies.place(frame);
-    bodies.open(chosen, selection && selection.pair !== undefined ? recordOf(selection.pair, frame) : -1);
-    bodies.draw(state.on.has('shapes'), new Set(chosen));
-    labels = layers.draw(frame, state.on, selection, foundRecords);
-    facts.show(selection, frame);
+    orbit.aspect = canvas.clientWidth / canvas.clientHeight;
+    const all = viewOfAll(frame);
+    if (view === 'all') Object.assign(orbit, { target: all.target.clone(), distance: all.distance });
+    bodies.open(chosen(), recordOfSelection(), all.target);
+    bodies.draw(state.on.has('shapes'), new Set(chosen()));
+    labels = layers.draw(frame, state.on, selection, foundRecords, finding);
+    facts.show(selection, frame, finding);
     timeline.draw(frame, found);
-    document.title = byId('title').textContent = data.titles[frame] || data.title;
+    const title = data.titles[frame] || data.title;
+    document.title = finding ? finding.what + ' \u00b7 ' + title : title;
+    byId('title').textContent = finding ? finding.what : title;
+    const elsewhere = !finding || frame === finding.index ? '' : finding.marked[frame].length ? 'Also in this frame. First: ' : 'Not in this frame. First: ';
+    byId('said').textContent = finding ? elsewhere + [finding.where_words, [finding.said, finding.is].filter(Boolean).join('; ')].filter(Boolean).join(': ') : '';
+    items.forEach((item, i) => { item.hidden = i !== state.finding; });
+    byId('ringed').hidden = !layers.marks.length;
     byId('moment').textContent = 'frame ' + data.frames[frame] + ', ' + data.times[frame].toFixed(3) + ' s';
-    byId('note').textContent = [layers.crowd ? 'larger dots: deeper overlap' : layers.factor > 1 && data.totals.overlap[frame] ? 'lines of overlap: \u00d7 ' + layers.factor : '',
-      state.follow >= 0 ? 'following ' + data.shapes[state.follow].name : ''].filter(Boolean).join(' \u00b7 ');
+    note = [layers.crowd ? 'larger dots: deeper overlap' : layers.factor > 1 && data.totals.overlap[frame] ? 'lines of overlap: \u00d7 ' + layers.factor : '',
+      state.follow >= 0 ? 'following ' + data.shapes[state.follow].name : ''];
     for (const box of byId('layers').querySelectorAll('input')) box.checked = state.on.has(box.value);
     byId('follow').disabled = !selection || selection.body === undefined;
     byId('follow').setAttribute('aria-pressed', state.follow >= 0);
@@ -89,16 +125,29 @@ async function start() {
     const { x, y, z } = point3(at).project(orbit.camera);
     return [(x + 1) / 2 * canvas.clientWidth, (1 - y) / 2 * canvas.clientHeight, z];
   }
+  const ruler = document.createElement('canvas').getContext('2d'), widths = new Map();
+  /** Beside its place, where a label covers no other one and no dot; what finds no such place is left out, unless it is important. */
   function showLabels() {
-    const taken = [], parent = byId('labels');
+    const taken = [], parent = byId('labels'), [wide, high] = [canvas.clientWidth, canvas.clientHeight], { array } = layers.dots.object.geometry.attributes.position;
+    const dots = Array.from({ length: labels.length ? Math.min(2000, layers.dots.rows) : 0 }, (_, i) => onScreen(array.subarray(3 * i, 3 * i + 3)));
+    ruler.font = '14px Roboto, system-ui, sans-serif';
+    const boxOf = ([x, y], width, away) => [[x + away, y - 20], [x + away, y + 2], [x - away - width, y - 20], [x - away - width, y + 2], [x - width / 2, y - away - 20], [x - width / 2, y + away],
+      [x + away + 24, y - 42], [x - away - 24 - width, y - 42]];
     while (parent.children.length < labels.length) make('span', '', parent);
     [...parent.children].forEach((element, i) => {
-      const label = labels[i], [x, y, z] = label ? onScreen(label.at) : [], wide = label ? label.text.length * 8 : 0;
-      element.hidden = !label || z > 1 || taken.some(other => Math.abs(other.x - x) < (other.wide + wide) / 2 && Math.abs(other.y - y) < 17);
+      const label = labels[i], place = label && onScreen(label.at);
+      element.hidden = !label || !label.text || place[2] > 1 || place[0] < 0 || place[0] > wide || place[1] < 0 || place[1] > high;
       if (element.hidden) return;
-      taken.push({ x, y, wide });
+      if (!widths.has(label.text)) widths.set(label.text, ruler.measureText(label.text).width + 2);
+      const width = widths.get(label.text);
+      const fits = ([left, top]) => left > 4 && left + width < wide - 4 && top > 2 && top + 20 < high - 4 && !taken.some(([x, y, w]) => left < x + w + 4 && x < left + width + 4 && Math.abs(top - y) < 19);
+      const covered = ([left, top]) => dots.filter(([x, y]) => x > left - 7 && x < left + width + 7 && y > top - 5 && y < top + 25).length;
+      const free = boxOf(place, width, label.away || 12).filter(fits).map((box, order) => [box, covered(box), order]).sort((a, b) => a[1] - b[1] || a[2] - b[2])[0];
+      element.hidden = !free || free[1] > 0 && label.isSmall;
+      if (element.hidden) return;
+      taken.push([...free[0], width]);
       element.textContent = label.text;
-      Object.assign(element.style, { color: css(label.role), transform: 'translate(' + (x + 12) + 'px,' + (y - 22) + 'px)' });
+      Object.assign(element.style, { color: css(label.role), transform: 'translate(' + free[0][0] + 'px,' + free[0][1] + 'px)' });
     });
   }
   function draw(now) {
@@ -115,6 +164,7 @@ async function start() {
     if (canvas.width !== Math.floor(wide * devicePixelRatio) || canvas.height !== Math.floor(high * devicePixelRatio)) renderer.setSize(Math.floor(wide * devicePixelRatio), Math.floor(high * devicePixelRatio), false);
     PIXELS.value.set(wide, high);
     orbit.place(wide, high, bodies.reach);
+    byId('words').textContent = [...note, state.on.has('shapes') && bodies.cuts(orbit.camera.position) ? 'walls in front are cut away' : ''].filter(Boolean).join(' \u00b7 ');
     bodies.sort(orbit.camera.position);
     renderer.setClearColor(new THREE.Color(css('ground')));
     renderer.render(scene, orbit.camera);
@@ -124,7 +174,8 @@ async function start() {
   // ---- Frames
 
   function show(frame) {
-    const [now, then] = state.follow < 0 ? [] : [frame, state.frame].map(at => poseOf(state.follow, at));
+    const moved = state.follow >= 0 ? state.follow : view === 'selection' ? bodies.bySize(chosen())[0] ?? -1 : -1;
+    const [now, then] = moved < 0 ? [] : [frame, state.frame].map(at => poseOf(moved, at));
     if (now && then) orbit.target.add(point3(now)).sub(point3(then));
     state.frame = frame;
     refresh();
@@ -142,7 +193,10 @@ async function start() {
 
   // ---- Selecting
 
+  /** Closes a finding that is not about the same pair. */
   function select(selection) {
+    if (!selection || selection.pair === undefined || selection.pair !== state.selection?.pair) state.finding = -1;
+    if (!selection && view === 'selection') view = 'all';
     state.selection = selection;
     if (state.follow >= 0) state.follow = selection ? selection.body ?? -1 : -1;
     refresh();
@@ -150,7 +204,7 @@ async function start() {
   function follow() {
     state.follow = state.follow < 0 && state.selection ? state.selection.body ?? -1 : -1;
     const pose = state.follow < 0 ? null : poseOf(state.follow, state.frame);
-    if (pose) orbit.target.copy(point3(pose));
+    if (pose) [view, orbit.target] = ['free', point3(pose)];
     refresh();
   }
   /** The nearest point within reach, else the body under the pointer; null without one. `at`: where it is. */
@@ -181,21 +235,35 @@ async function start() {
   // ---- Search and findings
 
   function jump(list, frame, selection, text, more) {
-    button(text, more, make('li', undefined, list), () => {
-      if (selection) state.selection = selection;
-      // The camera turns about the body, or the smaller one of the pair.
-      const both = !selection ? [] : selection.pair === undefined ? [selection.body] : data.pairs[selection.pair].slice(0, 2);
-      const pose = both.sort((a, b) => bodies.sizes[a] - bodies.sizes[b]).map(body => poseOf(body, frame)).find(Boolean);
-      if (pose) orbit.target.copy(point3(pose));
-      go(frame);
-    });
+    button(text, more, make('li', undefined, list), () => aim(frame, selection, -1));
+  }
+  /** Shows a frame with its selection framed, and a finding. */
+  function aim(frame, selection, finding) {
+    play(false);
+    Object.assign(state, { frame, selection, finding, follow: -1 });
+    lookAtSelection();
+    refresh();
+  }
+  function openFinding(i) {
+    const { index, pair, body } = data.findings[i];
+    byId('findings').open = true;
+    aim(index < 0 ? state.frame : index, pair >= 0 ? { pair } : body >= 0 ? { body } : null, i);
   }
   function search(text) {
     state.find = text;
-    [found, foundRecords] = [[], new Set()];
+    [found, foundRecords, hits] = [[], new Set(), []];
     byId('hits').replaceChildren();
     try {
-      const hits = text.trim() ? findRecords(text) : [];
+      const named = bodiesNamed(text);
+      if (named.length) {
+        byId('found').textContent = named.length > 1 ? named.length + ' bodies' : '1 body';
+        for (const body of named.slice(0, 100)) {
+          hits.push([state.frame, , , body]);
+          button(data.shapes[body].name, '', make('li', undefined, byId('hits')), () => aim(state.frame, { body }, -1));
+        }
+        return refresh();
+      }
+      hits = text.trim() ? findRecords(text) : [];
       found = [...new Set(hits.map(([frame]) => frame))];
       foundRecords = new Set(hits.map(([, record]) => record).filter(record => record >= 0));
       byId('found').textContent = text.trim() ? count(hits.length, 'record') + ' in ' + count(found.length, 'frame') : '';
@@ -210,24 +278,27 @@ async function start() {
     // Like in an editor: a new search stays where it is if that is found, and the same one again goes on.
     const text = byId('expression').value, isNew = text !== state.find;
     search(text);
-    if (found.length) go(found.find(frame => frame > state.frame || isNew && frame === state.frame) ?? found[0]);
+    const frame = found.find(at => at > state.frame || isNew && at === state.frame) ?? found[0] ?? state.frame, hit = hits.find(([at]) => at === frame);
+    if (hit) aim(frame, hit[3] === undefined ? { pair: hit[2] } : { body: hit[3] }, -1);
   });
-  byId('expression').title = 'Words: ' + Object.keys(data.quantities).join(', ') + '; previous.points, of the frame before; lint, lint.pairs_flicker';
+  byId('expression').title = 'A name of a body, or a condition. Words: ' + Object.keys(data.quantities).join(', ') + '; previous.points, of the frame before; lint, lint.pairs_flicker';
   byId('findings').hidden = !data.findings.length;
   byId('count').textContent = 'lint: ' + count(data.findings.length, 'finding');
-  for (const { what, said, is, remedy, index, a, b, ...finding } of data.findings) {
-    const many = finding.of ? ', ' + finding.count + ' of ' + finding.of : finding.count > 1 ? ', ' + finding.count + ' times' : '';
-    const pair = data.pairs.findIndex((_, i) => [a, b].sort().join('\n') === namesOf(i).slice(0, 2).sort().join('\n'));
-    const body = data.shapes.findIndex(shape => shape.name === a), place = index < 0 ? '' : ' \u00b7 frame ' + data.frames[index] + ': ' + [a, b].filter(Boolean).join(' and ');
-    jump(byId('lint'), Math.max(0, index), pair >= 0 ? { pair } : body >= 0 ? { body } : null, what + many + place, [said, is, remedy].filter(Boolean).join('; '));
-  }
+  const items = data.findings.map((finding, i) => {
+    const { what, of, count: times, where_words: where } = finding, item = make('li', undefined, byId('lint'), 'finding');
+    const many = of ? times + ' of ' + of : times > 1 ? times + ' times' : '';
+    button(what, [many, where].filter(Boolean).join(' \u00b7 '), item, () => openFinding(i));
+    const more = make('div', undefined, item);
+    explain(finding, more);
+    return more;
+  });
 
   // ---- The link's hash
 
   function hash() {
     const words = new URLSearchParams({ frame: data.frames[state.frame] }), { body, pair, point } = state.selection || {}, on = [...state.on].join();
     const all = { body: body !== undefined && data.shapes[body].name, pair: pair !== undefined && JSON.stringify(namesOf(pair)), point, layers: on !== usual && (on || 'none'),
-      find: state.find, theme: state.theme, follow: state.follow >= 0 && '1', camera: [orbit.yaw, orbit.pitch, orbit.distance, ...orbit.target.toArray()].map(x => Number(x.toPrecision(5))).join() };
+      find: state.find, theme: state.theme, follow: state.follow >= 0 && '1', finding: state.finding + 1, camera: view === 'free' && [orbit.yaw, orbit.pitch, orbit.distance, ...orbit.target.toArray()].map(x => Number(x.toPrecision(5))).join() };
     for (const [name, value] of Object.entries(all)) if (value) words.set(name, value);
     return '#' + words;
   }
@@ -238,16 +309,20 @@ async function start() {
   function read() {
     const words = new URLSearchParams(location.hash.slice(1)), get = name => words.get(name) || '', camera = get('camera').split(',').map(Number);
     const body = data.shapes.findIndex(shape => shape.name === get('body')), pair = data.pairs.findIndex((_, i) => JSON.stringify(namesOf(i)) === get('pair'));
-    Object.assign(state, { theme: ['light', 'dark'].includes(get('theme')) ? get('theme') : '', frame: Math.max(0, data.frames.indexOf(Number(get('frame')))),
+    Object.assign(state, { theme: ['light', 'dark'].includes(get('theme')) ? get('theme') : '', frame: words.has('frame') ? Math.max(0, data.frames.indexOf(Number(get('frame')))) : best, finding: Number(get('finding')) - 1,
       selection: body >= 0 ? { body } : pair < 0 ? null : get('point') ? { pair, point: get('point') } : { pair },
       on: new Set((get('layers') || usual).split(',')), follow: body >= 0 && get('follow') ? body : -1 });
-    paint();
-    fit();
+    if (data.camera) orbit.lookFrom(data.camera.forward.map(x => -x));
+    view = 'all';
+    orbit.aspect = canvas.clientWidth / canvas.clientHeight;
+    if (state.selection) lookAtSelection();
     if (camera.length === 6 && camera.every(Number.isFinite) && camera[2] > 0) {
+      view = 'free';
       [orbit.yaw, orbit.pitch, orbit.distance] = camera;
       orbit.target.fromArray(camera, 3);
     }
     byId('expression').value = get('find');
+    ink();
     search(get('find'));
   }
   addEventListener('hashchange', read);
@@ -287,9 +362,10 @@ async function start() {
   });
 
   const isFresh = !location.hash;
-  byId('findings').open = isFresh;
+  byId('findings').open = isFresh || /[#&]finding=/.test(location.hash);
   read();
-  if (isFresh && data.worst && data.findings.length) byId('lint').querySelector('button').click();
+  const first = data.findings.findIndex(({ index }) => index >= 0);
+  if (isFresh && first >= 0) openFinding(first);
   requestAnimationFrame(draw);
   window.contactscope = { data, state, orbit, layers, bodies, quantities: Object.keys(QUANTITIES), hash, onScreen, select, search, go, stagesOf, draw: () => { dirty = true; } };  // for tests and the console
   document.documentElement.dataset.ready = 'yes';

@@ -80,7 +80,7 @@ class Lines extends Marks {
 }
 
 /** Forms of dots, as in pictures. */
-const DOT = 0, RING = 1, CROSS = 2, HOLLOW = 3;
+const DOT = 0, RING = 1, CROSS = 2, HOLLOW = 3, WIDE_RING = 4;
 
 /** Drawn twice: faint behind bodies, then in full what is in front or at most a little inside. */
 class Dots extends Marks {
@@ -99,6 +99,7 @@ class Dots extends Marks {
         if (vForm.x < .5) inner = clamp(r - R + .5, 0., 1.);
         else if (vForm.x < 1.5) soft = 1.4 - abs(r - R);
         else if (vForm.x < 2.5) soft = min(R - r, 1.4 - min(abs(p.x - p.y), abs(p.x + p.y)) * .7);
+        else if (vForm.x > 3.5) { soft = 3. - abs(r - R); inner = clamp(abs(r - R) - .8, 0., 1.); }
         else { soft = R + .5 - r; inner = clamp(R - 1.5 - r, 0., 1.); }
         if (soft <= 0.) discard;
         gl_FragColor = vec4(mix(vTint, halo, inner), fade * min(1., soft));

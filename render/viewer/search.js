@@ -70,12 +70,15 @@ const previousOf = name => (record, frame, pair) =>
 function nameFindings() {
   const indices = new Map(data.frames.map((frame, index) => [frame, index])), pairs = new Map(data.pairs.map(([a, b], pair) => [Math.min(a, b) + ' ' + Math.max(a, b), pair]));
   data.named = data.frames.map(() => new Map());
+  data.findings.forEach(finding => { finding.marked = data.frames.map(() => []); });
   for (const finding of data.findings) {
-    Object.assign(finding, { index: indices.get(finding.frame) ?? -1, places: [], at: new Map() });
+    const both = [finding.a, finding.b].filter(Boolean).map(name => data.shapes.findIndex(shape => shape.name === name));
+    Object.assign(finding, { index: indices.get(finding.frame) ?? -1, places: [], at: new Map(), body: both[0] ?? -1, pair: -1 });
     for (let i = 0; i < (finding.marks || []).length; i += 3) {
       const [frame, ...both] = finding.marks.slice(i, i + 3), index = indices.get(frame), key = both.sort((a, b) => a - b).join(' ');
       if (index === undefined) continue;
       finding.places.push(index);
+      finding.marked[index].push({ key, at: finding.where[i / 3] });
       finding.at.set(key, (finding.at.get(key) || new Set()).add(index));
       // A pair that the trace never has is known from here on.
       if (both[0] >= 0 && !pairs.has(key)) pairs.set(key, data.pairs.push([...both, '', '']) - 1);
@@ -83,6 +86,8 @@ function nameFindings() {
       if (!named.has(key)) named.set(key, { pair: pairs.get(key) ?? -1, causes: [] });
       named.get(key).causes.push(finding.cause);
     }
+    if (both.length > 1) finding.pair = pairs.get([...both].sort((a, b) => a - b).join(' ')) ?? -1;
+    finding.where_words = finding.index < 0 ? '' : 'frame ' + finding.frame + ', ' + (finding.pair >= 0 ? pairName(finding.pair) : [finding.a, finding.b].filter(Boolean).join(' and '));
   }
 }
 /** What findings about a pair or its bodies are filed under. */
@@ -94,6 +99,14 @@ function namesInLint(pair) {
 const lintOf = cause => (record, frame, pair) => {
   return namesInLint(pair).flatMap(key => data.named[frame].get(key)?.causes || []).filter(one => !cause || one === cause).length;
 };
+
+/** The word or name that is meant, as the command line has it: up to a third of the letters are wrong. */
+function nearest(word, candidates) {
+  const distance = other => [...other].reduce((row, letter, i) => [...word].reduce((next, own, k) =>
+    [...next, Math.min(row[k] + (own !== letter), row[k + 1] + 1, next[k] + 1)], [i + 1]), Array.from({ length: word.length + 1 }, (_, k) => k)).pop();
+  const near = word.length > 64 ? [] : candidates.map(other => [distance(other), other]).filter(([far, other]) => far <= Math.floor(Math.max(word.length, other.length) / 3));
+  return near.sort((a, b) => a[0] - b[0]).map(([, other]) => other)[0];
+}
 
 const isTrue = value => typeof value === 'string' ? value !== '' : !Number.isNaN(value) && value !== 0;
 const known = (a, b) => typeof a === typeof b && !Number.isNaN(a) && !Number.isNaN(b);
@@ -151,7 +164,10 @@ function parseExpression(text) {
       return lintOf(cause);
     }
     const name = token.replace(/^previous\./, ''), isPrevious = name !== token;
-    if (!Object.hasOwn(data.quantities, name)) throw new Error("'" + token + "' is not a quantity; known: " + Object.keys(data.quantities).join(', '));
+    if (!Object.hasOwn(data.quantities, name)) {
+      const words = Object.keys(data.quantities), near = nearest(name, [...words, 'lint']);
+      throw new Error("'" + token + "' is not a quantity; " + (near ? "did you mean '" + near + "'?" : 'known: ' + words.join(', ') + '; or a name of a body'));
+    }
     if (isPrevious && data.quantities[name]) throw new Error("'" + name + "' is a change from the frame before; leave out 'previous.'");
     return isPrevious ? previousOf(name) : QUANTITIES[name];
   }
@@ -160,6 +176,12 @@ function parseExpression(text) {
   return whole;
 }
 
+/** The bodies that a text names: this one, or those with the text in their names. */
+function bodiesNamed(text) {
+  const plain = text.trim().toLowerCase(), all = data.shapes.map((shape, body) => [shape.name.toLowerCase(), body]), of = fits => all.filter(([name]) => fits(name)).map(([, body]) => body);
+  const same = of(name => name === plain);
+  return !plain || Object.hasOwn(data.quantities, plain) ? [] : same.length ? same : of(name => name.includes(plain));
+}
 /** All [frame, record, pair] for which the expression is true. A pair that has just left the trace, or that a finding names, has the record -1. */
 function findRecords(text) {
   const expression = parseExpression(text), pairsOf = frame => frame < 0 ? [] : recordsOf(frame).map(record => data.contacts.pair[record]);

@@ -1,6 +1,7 @@
 #include "viewer/viewer.h"
 
 #include "core/at.h"
+#include "core/spell.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/theme.h"
 #include "find/finder.h"
@@ -60,7 +61,8 @@ ordered_json camera_json(const draw::Camera& camera) {
           {"height", camera.viewport().height / camera.pixels_per_metre(camera.eye() + forward)}};
 }
 
-/// `bodies`: their numbers. Marks are triples of a frame, a body and another one or -1.
+/// `bodies`: their numbers. Marks are triples of a frame, a body and another one or -1; `where`: their
+/// places, with as many digits as it takes to recognise a point.
 ordered_json finding_json(const lint::Finding& finding, const std::map<std::string, int>& bodies) {
   ordered_json json{{"cause", finding.cause},
                     {"what", finding.what},
@@ -73,10 +75,14 @@ ordered_json finding_json(const lint::Finding& finding, const std::map<std::stri
                {"b", finding.b},
                {"said", finding.said},
                {"is", finding.is}});
-  for (const lint::Mark& mark : finding.marks)
+  for (const lint::Mark& mark : finding.marks) {
     for (const int number :
          {mark.frame, bodies.at(mark.a), mark.b.empty() ? -1 : bodies.at(mark.b)})
       json["marks"].push_back(number);
+    ordered_json& place = json["where"].emplace_back(nullptr);
+    for (int i = 0; mark.at && i < 3; ++i)
+      place.push_back(std::strtod(printed("%.4g", (*mark.at)[i]).c_str(), nullptr));
+  }
   return json;
 }
 
@@ -112,14 +118,7 @@ Viewer::Viewer(const draw::Staging& staging, const PictureOrigin& origin, bool i
               {.ids_are_made = ids_are_made, .is_marked = [](int) { return true; }}) {}
 
 void Viewer::add(const trace::Frame& frame) {
-  // The title agrees with the numbers of the page, which are rounded.
-  trace::Frame shown = frame;
-  for (trace::Pair& pair : shown.pairs) {
-    pair.separation = facts_.shown(pair.separation);
-    for (trace::Manifold& manifold : pair.manifolds)
-      for (trace::Point& point : manifold.points) point.separation = facts_.shown(point.separation);
-  }
-  titles_.push_back(draw::fill_title(staging_, shown));
+  titles_.push_back(draw::fill_title(staging_, frame));
   facts_.add(frame);
   linter_.frame(frame);
 }
@@ -135,7 +134,6 @@ std::string Viewer::html() {
                      {draw::toned(draw::kWhite, 1).r, draw::toned(draw::kWhite, 0.3).r,
                       draw::toned(draw::kWhite, 0).r}},
                     {"tone_borders", draw::kToneBorders},
-                    {"worst", staging_.view.focus == Focus::Worst},
                     {"quantities", ordered_json::object()}};
   for (const find::Quantity& known : find::pair_quantities())
     page["quantities"][known.name] = known.is_change;
