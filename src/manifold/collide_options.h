@@ -71,7 +71,7 @@ constexpr const char* to_string(Confirm confirm) {
   return confirm == Confirm::Distance ? "distance" : "ids";
 }
 
-/// What becomes of a new point nearer than the breaking distance to an old one.
+/// Treatment of a new point nearer than the breaking distance to an old one.
 enum class TooClose {
   Replace,  // it takes the place of the old one, and its id
   Reject,   // Catto 2007, "Adding New Points": it is not added, and the old one stays

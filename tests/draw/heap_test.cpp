@@ -202,7 +202,7 @@ TEST(HeapMarks, TheArrowIsAtThePointThatLintNames) {
   const Sketch sketch = sketch_frame(heap.staged(), heap.frames[0]);
   ASSERT_EQ(sketch.arrows.size(), 1u);
   EXPECT_EQ(sketch.arrows[0].from, point);
-  // Of a pair with two points, the deeper one is the other.
+  // If the pair has a second point, and this one is deeper.
   heap.frames[0].pairs[3].manifolds[0].points.push_back(
       {point + Vec3d(0.1, 0, 0), -0.2, "a:v0 b:f0"});
   EXPECT_EQ(sketch_frame(heap.staged(), heap.frames[0]).arrows.at(0).from, point);

@@ -22,7 +22,7 @@ TEST(BoundingTreesStudy, NoVolumeMissesAnIntersectionAndCloserOnesCompareLess) {
       }
     }
   }
-  // Where the surfaces are near each other, flat oriented boxes tell them apart first.
+  // Where the surfaces are near each other, flat oriented boxes are separated first.
   EXPECT_LT(*tests[1].points[1].error, *tests[2].points[1].error);
   EXPECT_LT(*tests[2].points[1].error, *tests[0].points[1].error);
 }

@@ -121,7 +121,7 @@ class HiddenLines {
     std::vector<Plane<double>> behind{};
     double away = 0;  // from the eye
   };
-  /// What a line meets in a cell: most shadows in it are rejected by their boxes.
+  /// A shadow in a cell; most of them are rejected by their boxes.
   struct Near {
     Eigen::AlignedBox2f box;  // around the shadow's corners
     int shadow;
