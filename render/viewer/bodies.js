@@ -1,7 +1,7 @@
 // The bodies: one instanced mesh for all of one form, and the lines of their edges.
 
 const WALL = 2.5;  // sizes of a typical body: what is larger may be a wall
-const FLOWN = 5;  // times the median distance: what is farther has left the heap
+const FLOWN = 3;  // times the median distance: what is farther has left the heap
 const SMALL = 0.1;  // sizes per distance: half a pixel is less than what coarser surfaces change
 const CREASE = Math.cos(25 * Math.PI / 180);  // flatter edges are not drawn
 // A window through all that stands before what is selected: its middle and radius (0: none), and whether it opens for a colour.
@@ -33,7 +33,7 @@ const SURFACE = [TONE + `
     #endif
     #ifdef WALL
     vec3 middle = (viewMatrix * vec4(subject, 1.)).xyz;
-    vCut = vec2(dot(normalize(vNormal), middle - vSeen) + wall, dot(middle, middle));
+    vCut = vec2(fract(tint.a) > .1 ? dot(normalize(vNormal), middle - vSeen) + wall : 1., dot(middle, middle));
     #endif
     gl_Position = projectionMatrix * seen;
   }`, TONE + WINDOW + `
@@ -75,14 +75,27 @@ function surfaceOf(shape, reach, detail = 1) {
     return { open: true, geometry: laid(plane, new THREE.Vector3(0, 0, 1), normal, normal.clone().multiplyScalar(shape.half_space.offset)) };
   }
   if (!(radius > 0) || ends.length > 2) return { geometry: polyhedron(shape.vertices || [], shape.faces || []), open: shape.type === 'mesh' };
-  if (ends.length === 1) return { round: true, geometry: new THREE.SphereBufferGeometry(radius, 32 * detail, 20 * detail).translate(...shape.vertices[0]) };
-  const half = ends[0].distanceTo(ends[1]) / 2, profile = [], arc = Math.round(10 * detail);
+  // A capsule about y; a sphere is a short one.
+  const unit = unitSphere(detail), geometry = unit.clone(), { array } = geometry.attributes.position, arc = Math.round(10 * detail), ring = 2 * arc + 2;
+  const last = ends[ends.length - 1], along = last.clone().sub(ends[0]), half = along.length() / 2;
+  for (let i = 0; i < array.length; i += 3) {
+    for (let k = 0; k < 3; ++k) array[i + k] *= radius;
+    array[i + 1] += i / 3 % ring <= arc ? -half : half;
+  }
+  return { round: true, geometry: laid(geometry, new THREE.Vector3(0, 1, 0), half > 0 ? along : new THREE.Vector3(0, 1, 0), ends[0].clone().addScaledVector(along, 0.5)) };
+}
+/** Of radius 1, with two rings at its equator. Computed once, since that takes most of the time of opening a heap. */
+const units = new Map();
+function unitSphere(detail) {
+  if (units.has(detail)) return units.get(detail);
+  const profile = [], arc = Math.round(10 * detail);
   for (let i = 0; i < 2 * arc + 2; ++i) {
     const angle = Math.PI * ((i <= arc ? i : i - 1) / (2 * arc) - 0.5);
-    profile.push(new THREE.Vector2(Math.max(1e-6, Math.cos(angle) * radius), Math.sin(angle) * radius + (i <= arc ? -half : half)));
+    profile.push(new THREE.Vector2(Math.max(1e-6, Math.cos(angle)), Math.sin(angle)));
   }
-  const along = ends[1].clone().sub(ends[0]);
-  return { round: true, geometry: laid(new THREE.LatheBufferGeometry(profile, 28 * detail), new THREE.Vector3(0, 1, 0), along, ends[0].addScaledVector(along, 0.5)) };
+  const made = new THREE.LatheBufferGeometry(profile, 28 * detail);
+  made.attributes.normal.array.set(made.attributes.position.array);
+  return units.set(detail, made).get(detail);
 }
 function polyhedron(vertices, faces) {
   const geometry = new THREE.BufferGeometry();
@@ -119,9 +132,9 @@ class Bodies {
     const sizes = this.sizes.filter(size => size > 0).sort((a, b) => a - b);
     this.size = sizes[sizes.length >> 1] || 1;  // of a typical body, metres
     this.reach = 1.5 * (sizes.pop() || 4);
-    const isWall = this.isWall = data.shapes.map((shape, body) => opaque && shape.type !== 'mesh' && this.sizes[body] > WALL * this.size);
+    const isWall = this.isWall = data.shapes.map((shape, body) => opaque && (shape.half_space || shape.type !== 'mesh' && this.sizes[body] > WALL * this.size));
     // The thinnest wall, so that one is cut away too if the contacts are on its other face.
-    const thinnest = this.boxes.reduce((least, box, body) => isWall[body] ? Math.min(least, ...box.getSize(new THREE.Vector3()).toArray()) : least, Infinity);
+    const thinnest = this.boxes.reduce((least, box, body) => isWall[body] && !box.isEmpty() ? Math.min(least, ...box.getSize(new THREE.Vector3()).toArray()) : least, Infinity);
     this.wall = Math.min(0.2 * this.size, 0.4 * thinnest);
     this.creases = data.shapes.map(creases);
     this.subject = { value: new THREE.Vector3() };  // the middle of the contacts
@@ -129,6 +142,7 @@ class Bodies {
     this.materials = {};
     this.matrices = data.shapes.map(() => new THREE.Matrix4());
     this.here = data.shapes.map(() => false);
+    this.isCut = data.shapes.map(() => false);
     this.probe = new THREE.Mesh();
     windowed.value = new THREE.Vector4();
     this.lines = new Lines(1, WINDOW, windowed);
@@ -141,16 +155,14 @@ class Bodies {
       const { geometry, open, round } = surfaceOf(data.shapes[members[0]], this.reach);
       const tints = setAttribute(geometry, 'tint', new Float32Array(4 * members.length), 4, true);
       // One material for all bodies of a kind; without a GPU each change of it takes time, and so does what is hidden.
-      const wall = isWall[members[0]], material = this.materials[[open, round, wall]] ??= new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1],
+      const wall = Boolean(isWall[members[0]]), material = this.materials[[open, round, wall]] ??= new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1],
         transparent: !opaque, depthWrite: opaque, side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
         defines: { ...round && { ROUND: 1 }, ...!round && !open && { FLAT: 1 }, ...wall && { WALL: 1 } },
         uniforms: { tones: { value: point3(data.tones) }, borders: { value: new THREE.Vector2(...data.tone_borders) },
           edge: { value: new THREE.Vector3() }, alpha: { value: opaque ? 1 : 0.62 }, window: windowed, subject: this.subject, wall: { value: wall ? this.wall : 0 } } });
       const mesh = Object.assign(new THREE.InstancedMesh(geometry, material, members.length), { frustumCulled: false });
       scene.add(mesh);
-      const coarse = round ? surfaceOf(data.shapes[members[0]], this.reach, 0.75).geometry : geometry;
-      coarse.setAttribute('tint', tints);
-      return { members, mesh, tints, geometry, coarse };
+      return { members, mesh, tints, geometry, round };
     });
     scene.add(this.lines.object);
   }
@@ -178,13 +190,14 @@ class Bodies {
     else middle.applyMatrix4(this.matrices[body]);
     return [...middle.toArray(), this.sizes[body] / 2];
   }
-  /** Spheres about all bodies of a frame but planes, walls and what has flown off: it is farther from the median than most by a factor. */
+  /** Spheres about all bodies of a frame but planes, walls and what has flown off: it is farther from the median than most by a factor. Sets `middle`, the median, and `flown`, how many those are. */
   heap(frame) {
     const all = data.shapes.map((_, body) => body).filter(body => poseOf(body, frame) && !this.boxes[body].isEmpty()), small = all.filter(body => this.sizes[body] <= WALL * this.size);
     const spheres = (small.length ? small : all).map(body => this.sphere(body, frame)), median = list => list.sort((a, b) => a - b)[list.length >> 1];
-    const middle = [0, 1, 2].map(k => median(spheres.map(at => at[k]))), far = spheres.map(at => Math.hypot(...middle.map((x, k) => at[k] - x)));
+    const middle = [0, 1, 2].map(k => median(spheres.map(at => at[k])) ?? 0), far = spheres.map(at => Math.hypot(...middle.map((x, k) => at[k] - x)));
+    Object.assign(this, { middle: point3(middle), flown: 0 });
     const limit = FLOWN * median([...far]) + 2 * this.size;
-    return spheres.filter((_, i) => far[i] <= limit);
+    return spheres.filter((_, i) => far[i] <= limit || !++this.flown);
   }
   /** Spheres about what to look at if these bodies are selected: their corners, but not those of what is much larger than the smallest; and the record's points. */
   outline(chosen, record) {
@@ -196,15 +209,24 @@ class Bodies {
     if (record >= 0) eachPoint(record, i => places.push([...positionOf(i), 0]));
     return places;
   }
-  /** Whether a wall between an eye and the subject is cut away. */
-  cuts(eye) {
-    const { subject: { value: subject }, matrices } = this, corner = new THREE.Vector3(), normal = new THREE.Vector3();
-    return this.isWall.some((isWall, body) => isWall && this.here[body] && (data.shapes[body].faces || []).some(face => {
-      const [a, b, c] = face.map(i => point3(data.shapes[body].vertices[i]));
-      normal.copy(b.sub(a)).cross(c.sub(a)).transformDirection(matrices[body]);
-      corner.copy(a).applyMatrix4(matrices[body]);
-      return normal.dot(subject) - normal.dot(corner) < -this.wall && normal.dot(eye) > normal.dot(corner);
-    }));
+  /** Cuts away the walls between an eye and the subject; true if there are any. One with a face that both see is not between them. */
+  cut(eye) {
+    const { subject: { value: subject }, matrices } = this, normal = new THREE.Vector3();
+    for (const { members, tints } of this.forms)
+      for (const [i, body] of members.entries()) {
+        if (!this.isWall[body]) continue;
+        const { faces = [], vertices } = data.shapes[body], sides = faces.map(face => {
+          const [a, b, c] = face.map(corner => point3(vertices[corner]));
+          normal.copy(b.sub(a)).cross(c.sub(a)).transformDirection(matrices[body]);
+          const offset = normal.dot(a.applyMatrix4(matrices[body]));
+          return [normal.dot(eye) - offset, normal.dot(subject) - offset];
+        });
+        this.isCut[body] = this.here[body] && (!faces.length || sides.some(([far, near]) => far > 0 && near < -this.wall) && !sides.some(([far, near]) => far > 0 && near > 0));
+        const alpha = Math.floor(tints.array[4 * i + 3]) + (this.isCut[body] ? 0.25 : 0);
+        if (alpha !== tints.array[4 * i + 3]) tints.needsUpdate = true;
+        tints.array[4 * i + 3] = alpha;
+      }
+    return this.isCut.some((isCut, body) => isCut && (data.shapes[body].faces || []).length);
   }
 
   /** Opens a window to the smaller of the bodies, at their contacts if there are any in the record. `middle`: the subject if there are none. */
@@ -235,7 +257,7 @@ class Bodies {
       members.forEach((body, i) => {
         const stands = chosen.has(body), wide = stands ? 3 : creases[body].length > 400 ? 0.7 : 1.4;
         mesh.setMatrixAt(i, this.here[body] ? matrices[body] : none);
-        const tint = [...color.get(this.isA[body] ? 'shape_a' : 'shape_b').map(c => Math.fround(stands ? c * 0.86 : c)), stands ? 2 : 1];
+        const tint = [...color.get(this.isA[body] ? 'shape_a' : 'shape_b').map(c => Math.fround(stands ? c * 0.86 : c)), (stands ? 2 : 1) + (this.isCut[body] ? 0.25 : 0)];
         if (tint.some((x, k) => x !== tints.array[4 * i + k])) tints.needsUpdate = true;
         tints.array.set(tint, 4 * i);
         if (!shown || !this.here[body] || !creases[body].length) return;
@@ -253,10 +275,12 @@ class Bodies {
   /** Draws the bodies nearest to the eye first, so that they hide others before their colours are computed. */
   sort(eye) {
     const at = new THREE.Vector3();
-    for (const { members, mesh, geometry, coarse } of this.opaque ? this.forms : []) {
-      const far = at.setFromMatrixPosition(this.matrices[members[0]]).distanceTo(eye);
+    for (const form of this.opaque ? this.forms : []) {
+      const { members, mesh, geometry, tints, round } = form, far = at.setFromMatrixPosition(this.matrices[members[0]]).distanceTo(eye);
       mesh.renderOrder = far / (1 + far);
-      mesh.geometry = members.length === 1 && this.sizes[members[0]] < SMALL * far ? coarse : geometry;
+      const isCoarse = round && members.length === 1 && this.sizes[members[0]] < SMALL * far;
+      if (isCoarse) form.coarse ??= surfaceOf(data.shapes[members[0]], this.reach, 0.75).geometry.setAttribute('tint', tints);
+      mesh.geometry = isCoarse ? form.coarse : geometry;
     }
   }
 
@@ -270,7 +294,7 @@ class Bodies {
         this.probe.raycast(raycaster, met);
         // Nothing is hit where the shader cuts a wall away, or opens a window.
         const { x, y, z, w } = windowed.value, middle = new THREE.Vector3(x, y, z), isChosen = tints.array[4 * members.indexOf(body) + 3] > 1.5;
-        const isCut = ({ face, point, distance }) => wall.value > 0 && distance < origin.distanceTo(subject) &&
+        const isCut = ({ face, point, distance }) => this.isCut[body] && distance < origin.distanceTo(subject) &&
           face.normal.clone().transformDirection(this.matrices[body]).dot(subject.clone().sub(point)) < -wall.value ||
           !(wall.value > 0) && !isChosen && distance < middle.clone().sub(origin).dot(raycaster.ray.direction) && raycaster.ray.distanceToPoint(middle) < w;
         for (const hit of met) if (!isCut(hit)) hits.push(Object.assign(hit, { body }));

@@ -22,9 +22,9 @@ class Layers {
   draw(frame, on, selection, found, finding) {
     const { lines, dots, fills, bodies } = this, { contacts, manifolds, points } = data, ink = role => color.get(role), worst = data.totals.worst[frame];
     const labels = this.labels = [];
+    for (const marks of [lines, dots, fills]) marks.rows = 0;
     this.drawFinding(frame, finding);
     this.drawBodies(frame, on, selection);
-    for (const marks of [lines, dots, fills]) marks.rows = 0;
     this.crowd = contacts.manifolds[contacts.first[frame + 1]] - contacts.manifolds[contacts.first[frame]] > CROWD;
     for (const record of recordsOf(frame)) {
       const chosen = selection && selection.pair === contacts.pair[record], few = !this.crowd || chosen;
@@ -38,14 +38,14 @@ class Layers {
           for (let k = 0; k < 3; ++k) middle[k] += at[k] / count;
           if (on.has('contacts')) {
             const radius = few ? (overlap > 0 ? 6 : 4) : 1.8 + 5 * Math.sqrt(overlap / (this.deepest || 1));
-            dots.add(at, ink('contacts'), DOT, radius);
+            dots.add(at, ink('contacts'), DOT + (chosen ? STRONG : 0), radius);
             if (found.has(record)) dots.add(at, ink('finding'), RING, radius + 5);
             if (few && overlap > 0) lines.add(at, at.map((x, k) => x + normal[k] * overlap * this.factor), ink('contacts'), 2.5);
           }
           if (on.has('ids') && few) labels.push({ at, text: data.texts[points.id[i]], role: 'text', isSmall: true });
           if (on.has('impulses') && points.impulse[i] > 0)
             lines.arrow(at, normal, bodies.size * 0.8 * points.impulse[i] / this.strongest, ink('impulses'), few ? 2.5 : 1.5);
-          if (chosen && pointKey(i, record) === selection.point) dots.add(at, ink('text'), RING, 12);
+          if (chosen && pointKey(i, record) === selection.point) dots.add(at, ink('text'), RING + STRONG, 12);
         }
         if (count && on.has('normals') && few) lines.arrow(middle, normal, size * 0.45, ink('normals'), 2.5);
       }
@@ -56,7 +56,7 @@ class Layers {
       labels.unshift({ at: positionOf(worst), text: 'deepest: ' + metres(-points.separation[worst]), role: 'text' });
     }
     for (const { at, text } of this.marks) {
-      dots.add(at, ink('text'), WIDE_RING, 15);
+      dots.add(at, ink('text'), WIDE_RING + STRONG, 15);
       labels.unshift({ at, text, role: 'text', away: 18 });
     }
     for (const marks of [fills, lines, dots]) marks.flush();

@@ -5,6 +5,7 @@ const AROUND = 8;   // every other frame before and after, for a camera that mov
 
 async function start() {
   const [fixed, others] = unpacked(takeText('facts_data'), document.currentScript.textContent);
+  const three = inflate(takeText('three'));
   let canvas = byId('view'), context = canvas.getContext('webgl', { alpha: false, antialias: false });
   const driver = context && context.getExtension('WEBGL_debug_renderer_info');
   // Without a GPU smooth edges would take most of the time.
@@ -12,7 +13,7 @@ async function start() {
     canvas.replaceWith(canvas = canvas.cloneNode());
     context = canvas.getContext('webgl', { alpha: false });
   }
-  make('script', new TextDecoder().decode(await inflate(takeText('three'))), document.head);
+  make('script', new TextDecoder().decode(await three), document.head);
   data = await fixed;
   const scene = new THREE.Scene(), renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.debug.checkShaderErrors = false;
@@ -97,9 +98,9 @@ async function start() {
     const { frame, selection } = state, finding = data.findings[state.finding];
     bodies.place(frame);
     orbit.aspect = canvas.clientWidth / canvas.clientHeight;
-    const all = viewOfAll(frame);
+    const all = viewOfAll(frame), { flown, middle } = (bodies.heap(frame), bodies);
     if (view === 'all') Object.assign(orbit, { target: all.target.clone(), distance: all.distance });
-    bodies.open(chosen(), recordOfSelection(), all.target);
+    bodies.open(chosen(), recordOfSelection(), middle);
     bodies.draw(state.on.has('shapes'), new Set(chosen()));
     labels = layers.draw(frame, state.on, selection, foundRecords, finding);
     facts.show(selection, frame, finding);
@@ -113,7 +114,7 @@ async function start() {
     byId('ringed').hidden = !layers.marks.length;
     byId('moment').textContent = 'frame ' + data.frames[frame] + ', ' + data.times[frame].toFixed(3) + ' s';
     note = [layers.crowd ? 'larger dots: deeper overlap' : layers.factor > 1 && data.totals.overlap[frame] ? 'lines of overlap: \u00d7 ' + layers.factor : '',
-      state.follow >= 0 ? 'following ' + data.shapes[state.follow].name : ''];
+      state.follow >= 0 ? 'following ' + data.shapes[state.follow].name : '', view === 'all' && flown ? flown + (flown > 1 ? ' bodies are' : ' body is') + ' far off' : ''];
     for (const box of byId('layers').querySelectorAll('input')) box.checked = state.on.has(box.value);
     byId('follow').disabled = !selection || selection.body === undefined;
     byId('follow').setAttribute('aria-pressed', state.follow >= 0);
@@ -164,7 +165,8 @@ async function start() {
     if (canvas.width !== Math.floor(wide * devicePixelRatio) || canvas.height !== Math.floor(high * devicePixelRatio)) renderer.setSize(Math.floor(wide * devicePixelRatio), Math.floor(high * devicePixelRatio), false);
     PIXELS.value.set(wide, high);
     orbit.place(wide, high, bodies.reach);
-    byId('words').textContent = [...note, state.on.has('shapes') && bodies.cuts(orbit.camera.position) ? 'walls in front are cut away' : ''].filter(Boolean).join(' \u00b7 ');
+    const isCut = bodies.cut(orbit.camera.position);
+    byId('words').textContent = [...note, state.on.has('shapes') && isCut ? 'walls in front are cut away' : ''].filter(Boolean).join(' \u00b7 ');
     bodies.sort(orbit.camera.position);
     renderer.setClearColor(new THREE.Color(css('ground')));
     renderer.render(scene, orbit.camera);

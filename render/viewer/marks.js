@@ -80,19 +80,19 @@ class Lines extends Marks {
 }
 
 /** Forms of dots, as in pictures. */
-const DOT = 0, RING = 1, CROSS = 2, HOLLOW = 3, WIDE_RING = 4;
+const DOT = 0, RING = 1, CROSS = 2, HOLLOW = 3, WIDE_RING = 4, STRONG = 8;  // added to one that is not faint behind bodies
 
 /** Drawn twice: faint behind bodies, then in full what is in front or at most a little inside. */
 class Dots extends Marks {
   constructor(scene) {
     const make = depthTest => shader(`
-      uniform float toward; attribute vec3 tint; attribute vec2 form; varying vec3 vTint; varying vec2 vForm;
+      uniform float toward, fade; attribute vec3 tint; attribute vec2 form; varying vec3 vTint; varying vec2 vForm; varying float vFade;
       void main() {
         vec4 seen = viewMatrix * vec4(position, 1.);
         seen.xyz *= max(.02, 1. - toward / length(seen.xyz));
-        gl_Position = projectionMatrix * seen; gl_PointSize = form.y; vForm = form; vTint = tint;
+        gl_Position = projectionMatrix * seen; gl_PointSize = form.y; vForm = vec2(mod(form.x, 8.), form.y); vTint = tint; vFade = form.x > 7.5 ? 1. : fade;
       }`, `
-      uniform float fade; uniform vec3 halo; varying vec3 vTint; varying vec2 vForm;
+      uniform vec3 halo; varying vec3 vTint; varying vec2 vForm; varying float vFade;
       void main() {
         vec2 p = (gl_PointCoord - .5) * vForm.y;
         float r = length(p), R = vForm.y * .5 - 2., soft = R + 2. - r, inner = 0.;
@@ -102,7 +102,7 @@ class Dots extends Marks {
         else if (vForm.x > 3.5) { soft = 3. - abs(r - R); inner = clamp(abs(r - R) - .8, 0., 1.); }
         else { soft = R + .5 - r; inner = clamp(R - 1.5 - r, 0., 1.); }
         if (soft <= 0.) discard;
-        gl_FragColor = vec4(mix(vTint, halo, inner), fade * min(1., soft));
+        gl_FragColor = vec4(mix(vTint, halo, inner), vFade * min(1., soft));
       }`, { depthTest });
     super(new THREE.Points(new THREE.BufferGeometry(), make(true)), 9, { position: 3, tint: 3, form: 2 }, false);
     this.faint = Object.assign(new THREE.Points(this.object.geometry, make(false)), { frustumCulled: false, renderOrder: 8 });

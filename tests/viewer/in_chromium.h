@@ -58,10 +58,10 @@ inline std::string page_of(const CrateOnSlab& scene) {
   return viewer.html();
 }
 
-// Half of the steps that README.md names, for a smallest shape of 1.73 m.
+// The errors that README.md names, for a smallest shape of 1.73 m.
 inline constexpr double kQuantum = 1.0 / 16384, kPlaceError = 2 * kQuantum,
                         kUnitError = 2.0 / 16384;
-inline double fine(double value) { return std::max(kQuantum / 512, std::abs(value) / 4096); }
+inline double fine(double value) { return std::max(kQuantum / 256, std::abs(value) / 2048); }
 
 /// The page in headless Chromium.
 class InChromium : public testing::Test {
@@ -76,6 +76,8 @@ class InChromium : public testing::Test {
     if (chromium_.empty()) GTEST_SKIP() << "Chromium is not installed (apt-get install chromium)";
   }
 
+  std::string hash_ = "#frame=6&find=points+%3E+1";  // of the page's address
+
   /// The result of a script that runs in the page when it is drawn.
   /// `workers`: whether the page may start any. `damage` changes the page.
   json result(const std::string& script, const CrateOnSlab& scene = rising(), bool workers = true,
@@ -87,7 +89,7 @@ class InChromium : public testing::Test {
     const std::string page = folder_.write("page.html", html);
     const std::string command =
         "timeout 120 node '" CONTACTSCOPE_VIEWER_TESTS "/in_chromium.mjs' " + chromium_ +
-        " 'file://" + page + "#frame=6&find=points+%3E+1' '" + (folder_ / "profile") + "' < '" +
+        " 'file://" + page + hash_ + "' '" + (folder_ / "profile") + "' < '" +
         folder_.write("script.js", script) + "'";
     FILE* const pipe = popen(command.c_str(), "r");
     std::string text;

@@ -186,9 +186,9 @@ TEST_F(InChromium, UnpacksWhatTheTraceOfARandomSceneSays) {
             ASSERT_EQ(dot["impulse"].is_null(), !point.impulse.has_value());
             if (!point.impulse) continue;
             EXPECT_NEAR(dot["impulse"].get<double>(), point.impulse->normal,
-                        point.impulse->normal / 2048);
+                        point.impulse->normal / 1024);
             EXPECT_NEAR(dot["friction"].get<double>(), point.impulse->friction.norm(),
-                        point.impulse->friction.norm() / 2048);
+                        point.impulse->friction.norm() / 1024);
           }
         }
         json stages = said["pairs"][i];

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <set>
 
 #include "core/at.h"
@@ -79,7 +80,7 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
           EXPECT_NEAR(shown[static_cast<std::size_t>(k)].get<double>(), point.position[k],
                       kPlaceError);
         EXPECT_NEAR(shown[3].get<double>(), point.separation, fine(point.separation));
-        EXPECT_NEAR(shown[4].get<double>(), point.impulse->normal, 5e-4 * point.impulse->normal);
+        EXPECT_NEAR(shown[4].get<double>(), point.impulse->normal, 1e-3 * point.impulse->normal);
         EXPECT_EQ(shown[5], point.id);
       }
   EXPECT_EQ(page["points"].size(), i);
@@ -105,14 +106,18 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_THAT(page["wrong"].get<std::string>(), HasSubstr("a quantity is missing at the end"));
 }
 
-/// Overlaps of 19.14 to 19.16 mm: where three digits change, rounding must not decide otherwise.
+/// Overlaps of 19.14 to 19.16 mm, where three digits change, and others from 1 to 75 mm: the page has
+/// the digits of the trace, although its numbers are rounded.
 TEST_F(InChromium, TitleAndTimelineHaveTheSameOverlap) {
   CrateOnSlab scene = rising();
   scene.header.title = "{overlap} deep";
-  for (std::size_t f = 0; f < scene.frames.size(); ++f) {
+  for (std::size_t f = 0; f < 60; ++f) {
+    if (f >= scene.frames.size()) scene.frames.push_back(scene.frames.back());
+    scene.frames[f].frame = int(f), scene.frames[f].time = 0.02 * double(f);
     trace::Pair& pair = scene.frames[f].pairs[0];
     pair.manifolds = rising().frames[0].pairs[0].manifolds;
-    pair.state = "touching", pair.separation = -0.01914 - 2e-6 * double(f);
+    pair.state = "touching";
+    pair.separation = f < 12 ? -0.01914 - 2e-6 * double(f) : -1e-3 * std::pow(1.094, f - 12);
     for (trace::Point& point : pair.manifolds[0].points) point.separation = pair.separation;
   }
   const json page = result(R"(
@@ -129,7 +134,7 @@ TEST_F(InChromium, TitleAndTimelineHaveTheSameOverlap) {
     different.insert(text);
     EXPECT_EQ(text.substr(0, text.find(" = ")), text.substr(text.find(" = ") + 3));
   }
-  EXPECT_EQ(different.size(), 2u) << page;
+  EXPECT_GT(different.size(), 48u) << page;
 }
 
 /// The findings about a pair come before its facts.
@@ -172,12 +177,14 @@ TEST_F(InChromium, SearchStaysAtAFrameThatIsFoundAndGoesOnIfRepeated) {
 
 TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
   const json page = result(R"(
-    const { state, data, orbit } = contactscope, click = button => {
+    const { state, data, orbit, bodies, onScreen } = contactscope, canvas = document.getElementById('view'), click = button => {
       state.selection = null;
       orbit.target.set(9, 9, 9);
       button.click();
-      const pose = data.poseOf[2 * state.frame + 1], center = data.pose.subarray(7 * pose, 7 * pose + 3);
-      return [button.textContent, state.selection, data.frames[state.frame], Math.hypot(...orbit.target.toArray().map((x, k) => x - center[k]))];
+      orbit.place(canvas.clientWidth, canvas.clientHeight, 100);
+      const corners = data.shapes[1].vertices.map(vertex => onScreen(new THREE.Vector3(...vertex).applyMatrix4(bodies.matrices[1]).toArray()));
+      const isFramed = corners.every(([x, y, z]) => z < 1 && x > 0 && x < canvas.clientWidth && y > 0 && y < canvas.clientHeight);
+      return [button.textContent, state.selection, data.frames[state.frame], isFramed];
     };
     return { rows: [...document.querySelectorAll('#lint button')].map(click), places: data.findings.map(finding => finding.places) };)");
   ASSERT_FALSE(page.contains("error")) << page["error"];
@@ -185,12 +192,97 @@ TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
   for (std::size_t i = 0; i < page["rows"].size(); ++i) {
     const json& row = page["rows"][i];
     EXPECT_THAT(row[0].get<std::string>(),
-                HasSubstr("frame " + std::to_string(row[2].get<int>()) + ": "));
+                HasSubstr("frame " + std::to_string(row[2].get<int>()) + ", "));
     EXPECT_THAT(row[0].get<std::string>(), HasSubstr("crate <b>&amp;"));
     EXPECT_TRUE(row[1].is_object()) << row[0];
-    EXPECT_LT(row[3].get<double>(), 1e-9) << "the crate is in the middle";
+    EXPECT_EQ(row[3], true) << "the whole crate is in view";
     EXPECT_THAT(page["places"][i], testing::Contains(row[2].get<int>() / 3)) << row[0];
   }
+}
+
+/// Without a link's hash: the first finding's frame, pair, sentence and point.
+TEST_F(InChromium, OpensOnTheFirstFindingAndFollowsUntilTheCameraIsMoved) {
+  CrateOnSlab scene = rising();
+  for (trace::Point& point : scene.frames[1].pairs[0].manifolds[0].points) point.separation = 0.5;
+  hash_.clear();
+  const json page = result(R"(
+    const { data, state, orbit, layers, bodies, onScreen, go, select, hash } = contactscope, text = id => document.getElementById(id).textContent;
+    const canvas = document.getElementById('view'), finding = data.findings[0];
+    const framed = () => {
+      orbit.place(canvas.clientWidth, canvas.clientHeight, 100);
+      return data.shapes.map((shape, body) => shape.vertices.every(vertex => {
+        const [x, y, z] = onScreen(new THREE.Vector3(...vertex).applyMatrix4(bodies.matrices[body]).toArray());
+        return z < 1 && x > 0 && x < canvas.clientWidth && y > 0 && y < canvas.clientHeight;
+      }));
+    };
+    const seen = { open: [state.finding, data.frames[state.frame] === finding.frame, state.selection, text('title') === finding.what, document.title.startsWith(finding.what), framed()],
+      said: text('said'), marks: layers.marks.map(mark => mark.text), ringed: document.getElementById('ringed').hidden, names: layers.labels.map(label => label.text), facts: text('facts'), hash: hash() };
+    select(null);
+    seen.closed = [state.finding, text('said')];
+    seen.frames = [0, 11].map(frame => (go(frame), framed()));
+    orbit.zoom(0.5);
+    const { distance } = orbit;
+    go(3);
+    seen.free = [orbit.distance === distance, hash().includes('camera=')];
+    const enter = words => {
+      document.getElementById('expression').value = words;
+      document.getElementById('search').requestSubmit();
+      return [state.selection, data.frames[state.frame], text('found')];
+    };
+    seen.searches = [enter('overlap > 0.5 mm and frame < 1'), enter('CRATE'), enter('overlp > 1 mm')];
+    return seen;)",
+                           scene);
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  EXPECT_EQ(page["open"].dump(), R"([0,true,{"pair":0},true,true,[true,true]])");
+  EXPECT_THAT(page["said"].get<std::string>(), HasSubstr("slab and crate <b>&amp;: point "));
+  ASSERT_FALSE(page["marks"].empty());
+  EXPECT_THAT(page["marks"][0].get<std::string>(), testing::StartsWith("lint: point "));
+  EXPECT_EQ(page["ringed"], false) << "the legend has the ring";
+  EXPECT_THAT(page["names"].get<std::vector<std::string>>(), testing::Contains("slab"));
+  EXPECT_THAT(page["facts"].get<std::string>(), HasSubstr("point 0 "));
+  EXPECT_THAT(page["hash"].get<std::string>(), HasSubstr("finding=1"));
+  EXPECT_THAT(page["hash"].get<std::string>(), Not(HasSubstr("camera")));
+  EXPECT_EQ(page["closed"].dump(), R"([-1,""])");
+  EXPECT_EQ(page["frames"].dump(), "[[true,true],[true,true]]");
+  EXPECT_EQ(page["free"].dump(), "[true,true]");
+  EXPECT_EQ(page["searches"][0].dump(), R"([{"pair":0},0,"1 record in 1 frame"])");
+  EXPECT_EQ(page["searches"][1].dump(), R"([{"body":1},0,"1 body"])");
+  EXPECT_THAT(page["searches"][2][2].get<std::string>(), HasSubstr("did you mean 'overlap'?"));
+}
+
+/// Fourteen crates in a row, and one that flies off; the overlap is deepest in frame 0. The link has a
+/// theme, so no finding is opened.
+TEST_F(InChromium, OpensAtTheDeepestOverlapWithAllBodiesInViewButNotWhatFliesOff) {
+  CrateOnSlab scene = rising();
+  for (int i = 0; i < 15; ++i) {
+    trace::Shape shape = scene.header.shapes[1];
+    shape.name = i < 14 ? "crate " + std::to_string(i) : "gone";
+    scene.header.shapes.push_back(shape);
+    for (trace::Frame& frame : scene.frames)
+      frame.poses.emplace_back(
+          shape.name, Pose<double>{Quatd::Identity(), i < 14 ? Vec3d(3.0 * i, 0, 0)
+                                                             : Vec3d(0, 1000 + frame.frame, 0)});
+  }
+  hash_ = "#theme=light";
+  const json page = result(R"(
+    const { data, state, orbit, bodies, onScreen, go, select } = contactscope, canvas = document.getElementById('view');
+    const outside = () => {
+      orbit.place(canvas.clientWidth, canvas.clientHeight, 100);
+      return data.shapes.filter((_, body) => {
+        const [x, y, z] = onScreen(new THREE.Vector3().setFromMatrixPosition(bodies.matrices[body]).toArray());
+        return z > 1 || x < 0 || x > canvas.clientWidth || y < 0 || y > canvas.clientHeight;
+      }).map(shape => shape.name);
+    };
+    const seen = [state.frame, state.finding, outside()];
+    go(11);
+    seen.push(outside());
+    select({ body: data.shapes.length - 1 });
+    document.getElementById('fit').click();
+    seen.push(outside().includes('gone'));
+    return { seen };)",
+                           scene);
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  EXPECT_EQ(page["seen"].dump(), R"([0,-1,["gone"],["gone"],false])");
 }
 
 /// Fifteen crates on a slab, and a wall next to them that is much larger: seen from its side, and from
@@ -208,25 +300,27 @@ TEST_F(InChromium, AWallBetweenTheEyeAndTheContactsIsCutAway) {
   for (int i = 0; i < 14; ++i) add("other " + std::to_string(i), 1, 1, {3.0 * i, 50, 0});
   add("wall", 12, 0.01, {0, 0, 4});
   const json page = result(R"(
-    const { data, orbit, bodies, go } = contactscope, canvas = document.getElementById('view'), ray = new THREE.Raycaster();
+    const { data, orbit, bodies, go, select } = contactscope, canvas = document.getElementById('view'), ray = new THREE.Raycaster();
     go(0);
+    select({ pair: 0 });
     return Object.fromEntries([1, -1].map(side => {
       orbit.target.set(0, 0, 0);
       orbit.lookFrom([0, 0.1, side]);
       orbit.distance = 20;
       orbit.place(canvas.clientWidth, canvas.clientHeight, 100);
+      const isCut = bodies.cut(orbit.camera.position);
       const hit = place => {
         const { x, y } = place.project(orbit.camera);
         ray.setFromCamera({ x, y }, orbit.camera);
         return (data.shapes[bodies.hit(ray)] || {}).name || '';
       };
       const crate = new THREE.Vector3().setFromMatrixPosition(bodies.matrices[1]);
-      return [side, [hit(crate), hit(new THREE.Vector3(-2, 4, 4))]];
+      return [side, [hit(crate), hit(new THREE.Vector3(-2, 4, 4)), isCut]];
     }));)",
                            scene);
   ASSERT_FALSE(page.contains("error")) << page["error"];
-  EXPECT_EQ(page["1"], (json{"crate <b>&amp;", ""}));
-  EXPECT_EQ(page["-1"], (json{"crate <b>&amp;", "wall"}));
+  EXPECT_EQ(page["1"], (json{"crate <b>&amp;", "", true}));
+  EXPECT_EQ(page["-1"], (json{"crate <b>&amp;", "wall", false}));
 }
 
 /// Fifteen crates in a row behind each other, and the slab far away. The last but one is selected.
