@@ -33,6 +33,7 @@ const std::vector<Kept> kDepthMethods = {
     {"double, MPR by tolerance", "MPR"},     {"double, sampling", "8192 directions"},
     {"Bullet, EPA", "Bullet, EPA", kQuiet},  {"Bullet, SAT", "Bullet, SAT", kQuiet},
     {"libccd, EPA", "libccd, EPA", kQuiet},  {"libccd, MPR", "libccd, MPR", kQuiet}};
+// libccd 2.1 splits the nearest face alone (expandPolytope), not all that the new point sees.
 constexpr const char* kPenetration =
     "Hulls of 32 vertices. 8192 directions: the least overlap along these, then a descent. "
     "libccd's EPA: its polytope does not stay convex";
