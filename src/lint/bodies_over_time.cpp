@@ -74,8 +74,8 @@ class BodiesWatch final : public Watch {
       most = std::max(most, last), last = now, now = 0;
       for (const trace::Pair& pair : frame.pairs) now = std::max(now, of(pair));
     }
-    /// `link` and the largest value, of a body whose contacts in some of these frames exceed all
-    /// earlier ones; else empty.
+    /// `link`, the largest value and, of several frames, its frame, for a body whose contacts in some
+    /// of these exceed all earlier ones; else empty.
     std::string text_for(const Solids& solids, std::initializer_list<const trace::Frame*> in,
                          const std::string& name, const std::string& link) const {
       double peak = 2 * most;
@@ -86,8 +86,8 @@ class BodiesWatch final : public Watch {
           if ((!is_a && solids.body_of(pair.b) != solids.body_of(name)) || of(pair) <= peak)
             continue;
           peak = of(pair);
-          text = link + before + metres(peak) + after + " '" + (is_a ? pair.b : pair.a) +
-                 "' in frame " + std::to_string(frame->frame);
+          text = link + before + metres(peak) + after + " '" + (is_a ? pair.b : pair.a) + "'";
+          if (in.size() > 1) text += " in frame " + std::to_string(frame->frame);
         }
       return text;
     }
