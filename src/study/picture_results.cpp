@@ -333,6 +333,7 @@ std::string result_of_box_path(Picture& plot) {
 }
 
 std::string result_of_trees(Picture& plot) {
+  if (plot.measured.series.empty()) throw std::out_of_range("no tree is measured");
   const bool is_time = plot.measured.measure == "time";
   std::string found = is_time ? "A query at a gap of 30 mm" : "Compared at a gap of 30 mm";
   for (const StudySeries& line : plot.measured.series) {
