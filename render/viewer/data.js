@@ -272,4 +272,8 @@ const metres = value => {
 };
 const newtonSeconds = value => digits(value) + ' N s';
 const gapRow = separation => separation > 0 ? ['gap', metres(separation)] : ['overlap', metres(-separation || 0)];
-const vectorText = v => '(' + Array.from(v, x => digits(Math.abs(x) < 5e-4 ? 0 : Number(x.toFixed(3)))).join(', ') + ')';
+/** Thousandths, or fewer where positions are coarser. */
+const vectorText = v => {
+  const decimals = Math.min(3, Math.max(0, -Math.ceil(Math.log10(data.place))));
+  return '(' + Array.from(v, x => String(Number(x.toFixed(decimals)) || 0).replace('-', '\u2212')).join(', ') + ')';
+};

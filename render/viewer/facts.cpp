@@ -37,9 +37,15 @@ double smallest_of(const trace::Header& header) {
   return smallest == std::numeric_limits<double>::max() ? 1 : smallest;
 }
 
+/// The nearest multiple of a step, or one next to it that has the same thousandths, which the page shows.
 std::int32_t steps(double value, double step) {
-  constexpr double kMax = std::numeric_limits<std::int32_t>::max();
-  return static_cast<std::int32_t>(std::clamp(std::round(value / step), -kMax, kMax));
+  constexpr double kMax = std::numeric_limits<std::int32_t>::max(), kDigit = 1e-3;
+  const double nearest = std::clamp(std::round(value / step), -kMax, kMax);
+  if (step < kDigit && std::abs(nearest) < kMax)
+    for (const double near : {nearest, nearest + 1, nearest - 1})
+      if (std::round(near * step / kDigit) == std::round(value / kDigit))
+        return static_cast<std::int32_t>(near);
+  return static_cast<std::int32_t>(nearest);
 }
 
 /// A float's bits with `kept` of its mantissa's, rounded.

@@ -59,8 +59,8 @@ inline std::string page_of(const CrateOnSlab& scene) {
 }
 
 // The errors that README.md names, for a smallest shape of 1.73 m.
-inline constexpr double kQuantum = 1.0 / 16384, kPlaceError = 2 * kQuantum,
-                        kUnitError = 2.0 / 16384;
+inline constexpr double kQuantum = 1.0 / 16384, kPlaceError = 4 * kQuantum,
+                        kUnitError = 4.0 / 16384;
 inline double fine(double value) { return std::max(kQuantum / 256, std::abs(value) / 2048); }
 
 /// The page in headless Chromium.

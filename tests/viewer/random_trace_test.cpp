@@ -157,7 +157,7 @@ TEST_F(InChromium, UnpacksWhatTheTraceOfARandomSceneSays) {
         if (pose.is_null()) continue;
         const Vec3d at(pose[0].get<double>(), pose[1].get<double>(), pose[2].get<double>());
         const Vec3d& said_at = known->second.position;
-        EXPECT_LE((at - said_at).lpNorm<Eigen::Infinity>(), kQuantum / 2);
+        EXPECT_LE((at - said_at).lpNorm<Eigen::Infinity>(), kQuantum);
         const Quatd turned(pose[3].get<double>(), pose[4].get<double>(), pose[5].get<double>(),
                            pose[6].get<double>());
         EXPECT_LT(known->second.rotation.angularDistance(turned.normalized()), 4e-4);
