@@ -175,7 +175,7 @@ void draw_gradient(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
                     .color = kNormal};
   if (!has_room(scene.camera, arrow)) return;
   sketch.arrows.push_back(arrow);
-  sketch.explain(kNormalSwatch, "gradient: the distance grows fastest if B moves so", arrow.from);
+  sketch.explain(kNormalSwatch, "gradient: the distance grows fastest this way", arrow.from);
 }
 
 void draw_normals(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
