@@ -192,12 +192,14 @@ class Bodies {
   }
   /** Spheres about all bodies of a frame but planes, walls and what has flown off: it is farther from the median than most by a factor. Sets `middle`, the median, and `flown`, how many those are. */
   heap(frame) {
+    if (this.heaped && this.heaped.frame === frame) return this.heaped.spheres;
     const all = data.shapes.map((_, body) => body).filter(body => poseOf(body, frame) && !this.boxes[body].isEmpty()), small = all.filter(body => this.sizes[body] <= WALL * this.size);
     const spheres = (small.length ? small : all).map(body => this.sphere(body, frame)), median = list => list.sort((a, b) => a - b)[list.length >> 1];
     const middle = [0, 1, 2].map(k => median(spheres.map(at => at[k])) ?? 0), far = spheres.map(at => Math.hypot(...middle.map((x, k) => at[k] - x)));
     Object.assign(this, { middle: point3(middle), flown: 0 });
     const limit = FLOWN * median([...far]) + 2 * this.size;
-    return spheres.filter((_, i) => far[i] <= limit || !++this.flown);
+    this.heaped = { frame, spheres: spheres.filter((_, i) => far[i] <= limit || !++this.flown) };
+    return this.heaped.spheres;
   }
   /** Spheres about what to look at if these bodies are selected: their corners, but not those of what is much larger than the smallest; and the record's points. */
   outline(chosen, record) {

@@ -97,9 +97,8 @@ async function start() {
   function refresh() {
     const { frame, selection } = state, finding = data.findings[state.finding];
     bodies.place(frame);
-    orbit.aspect = canvas.clientWidth / canvas.clientHeight;
-    const all = viewOfAll(frame), { flown, middle } = (bodies.heap(frame), bodies);
-    if (view === 'all') Object.assign(orbit, { target: all.target.clone(), distance: all.distance });
+    if (view === 'all') Object.assign(orbit, viewOfAll(frame));
+    const { flown, middle } = (bodies.heap(frame), bodies);
     bodies.open(chosen(), recordOfSelection(), middle);
     bodies.draw(state.on.has('shapes'), new Set(chosen()));
     labels = layers.draw(frame, state.on, selection, foundRecords, finding);
@@ -328,7 +327,10 @@ async function start() {
     search(get('find'));
   }
   addEventListener('hashchange', read);
-  addEventListener('resize', refresh);
+  addEventListener('resize', () => {
+    orbit.aspect = canvas.clientWidth / canvas.clientHeight;
+    refresh();
+  });
   dark.addEventListener('change', paint);
 
   // ---- Buttons and keys
