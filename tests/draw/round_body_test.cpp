@@ -13,6 +13,7 @@
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "draw/scene/palette.h"
+#include "support/cases.h"
 
 namespace contactscope::draw {
 namespace {
@@ -140,7 +141,7 @@ TEST(RoundBody, SmallBodiesHaveTheTonesOfTheirNormals) {
                                  looking_from({0.4, -3, -0.2}), looking_from({0, 3, 0.1})}) {
       const Vec3d light = key_light(camera);
       const std::vector<RoundBody::Facet> tones = body.front(camera);
-      for (int i = 0; i < 1500; ++i) {
+      for (int i = 0; i < test::cases(1500); ++i) {
         const Vec3d target(coordinate(random), coordinate(random), coordinate(random));
         const Point2 pixel = *camera.project(target);
         // The first point of the ray on the body, by exhaustion, then by bisection.
@@ -186,7 +187,7 @@ TEST(RoundBody, SmallBodiesHaveTheTonesOfTheirNormals) {
       }
     }
   }
-  for (const int count : counts) EXPECT_GT(count, 40);
+  for (const int count : counts) EXPECT_GT(count, 40 / test::kOneIn);
 }
 
 TEST(RoundBody, SlowHidesWhatAViewRayMeetsItBefore) {
