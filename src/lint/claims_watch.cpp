@@ -64,8 +64,8 @@ class ClaimsWatch final : public Watch {
     if (kept_ > 0) findings.push_back(hint);
     small_.report(findings);
     while (report_best_explanation(findings)) continue;
-    // If a cause explains nearly all pairs, the others mostly share it and have another error too:
-    // if it is one of some kinds of pairs, the others of these kinds.
+    // If a cause explains nearly all pairs, the others mostly share it and have another error too.
+    // If it was found in some kinds of pairs alone, this holds for these kinds.
     if (wrong_.untold() < kFewLeft * wrong_.count()) {
       if (is_of_all_kinds_) return;
       for (WrongPair& wrong : wrong_)
@@ -80,10 +80,10 @@ class ClaimsWatch final : public Watch {
       unexplained.push_back(gathered(cause, what, remedy, [&](const WrongPair& one) {
         return int(one.problem.kind) == kind;
       }));
-      if (const double deeper = wrong_.common_depth(); kind == 0 && deeper != 0)
-        unexplained.back().what += ": all are " + metres(std::abs(deeper)) +
-                                   (deeper > 0 ? " m too deep" : " m too shallow");
     }
+    if (const double deeper = wrong_.common_depth(); deeper != 0)
+      unexplained[int(Wrong::Separation)].what +=
+          ": all are " + metres(std::abs(deeper)) + (deeper > 0 ? " m too deep" : " m too shallow");
     std::erase_if(unexplained, [](const Finding& finding) { return finding.count == 0; });
     std::ranges::stable_sort(unexplained, std::greater(), &Finding::count);
     std::ranges::move(unexplained, std::back_inserter(findings));

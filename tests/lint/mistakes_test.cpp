@@ -286,6 +286,7 @@ TEST(Lint, AnErrorOfAnotherKindOfPairsIsNamedToo) {
   ASSERT_NE(separation, findings.end());
   EXPECT_EQ(separation->line, 42);
   EXPECT_EQ(separation->a + separation->b, changed->a + changed->b);
+  EXPECT_THAT(separation->what, testing::EndsWith(": all are 0.1 m too deep"));
 }
 
 /// The effects of a cause that is ignored are no findings of their own.

@@ -184,7 +184,7 @@ struct Sketch {
   }
 };
 
-/// Finds what the sketch hides from a camera. Kept in the sketch until that changes.
+/// Finds what the sketch hides from a camera. Kept in the sketch until more is sketched.
 const HiddenLines& hidden_lines_of(const Sketch& sketch, const Camera& camera);
 
 /// Draws a mark. Returns the radius that labels avoid, canvas pixels; 0: labels may cover it.
