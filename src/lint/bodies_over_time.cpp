@@ -86,7 +86,7 @@ class BodiesWatch final : public Watch {
           if ((!is_a && solids.body_of(pair.b) != solids.body_of(name)) || of(pair) <= peak)
             continue;
           peak = of(pair);
-          text = link + before + metres(peak) + after + " '" + (is_a ? pair.b : pair.a) + "'";
+          text = link + before + shown(peak) + after + " '" + (is_a ? pair.b : pair.a) + "'";
           if (in.size() > 1) text += " in frame " + std::to_string(frame->frame);
         }
       return text;
@@ -110,9 +110,9 @@ class BodiesWatch final : public Watch {
     if (out < least * now.size() || out < kTimes * rest) return false;
     jumps_.wrong(frames, name, "", [&] {
       return std::pair("it is " + metres((now.middle() - before.middle()).norm()) +
-                           " m from its place in the frame before",
+                           " from its place in the frame before",
                        "in the frame after, it is " +
-                           metres((after.middle() - before.middle()).norm()) + " m from there");
+                           metres((after.middle() - before.middle()).norm()) + " from there");
     });
     for (const trace::Pair& pair : frames.now->pairs)
       if (solids.body_of(pair.a) == solids.body_of(name) ||
@@ -140,12 +140,12 @@ class BodiesWatch final : public Watch {
     const std::string cause = why({frames.before, frames.now}, ", after");
     const trace::Frame& shown = cause.empty() ? *frames.after : *frames.now;
     flights_.wrong_at({shown.frame, shown.line, name, "", {}}, frames, 0, [&] {
-      const std::string most = " m, and no body by more than " + metres(fastest_) + " m before";
+      const std::string most = ", and no body by more than " + metres(fastest_) + " before";
       return cause.empty()
-                 ? std::pair("it has moved by " + metres(step) + " m since the frame before" +
+                 ? std::pair("it has moved by " + metres(step) + " since the frame before" +
                                  why({frames.after}, ", and now has"),
                              "in the step before that it moved by " + metres(last) + most)
-                 : std::pair("it moves by " + metres(step) + " m in the next step" + cause,
+                 : std::pair("it moves by " + metres(step) + " in the next step" + cause,
                              "it moves by " + metres(last) + most);
     });
   }
@@ -156,7 +156,7 @@ class BodiesWatch final : public Watch {
   std::set<std::string> jumped_;             // bodies that were elsewhere in the frame before
   Peak overlap_{&trace::overlap_of, " an overlap of ", " m with"};
   Peak impulse_{&trace::impulse_of, " an impulse of ", " N s from"};
-  Tally jumps_{"poses_jump"}, flights_{"bodies_fly_off"};
+  Tally jumps_{"poses_jump", "poses"}, flights_{"bodies_fly_off", "poses"};
 };
 
 }  // namespace

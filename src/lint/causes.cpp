@@ -61,7 +61,8 @@ class RecordsWatch final : public Watch {
   }
 
  private:
-  Tally twice_{"pairs_twice"}, empty_{"touching_without_points"}, time_{"times_do_not_rise"};
+  Tally twice_{"pairs_twice"}, empty_{"touching_without_points"},
+      time_{"times_do_not_rise", "frames"};
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ constexpr int kTried = 1000;
 /// A few small errors are approximations of engines: leaning capsules, cut corners, points kept
 /// while bodies turn. Report errors only at this frequency, or beyond this many tolerances.
 constexpr double kOften = 0.02, kGross = 15, kSevere = 40;
-constexpr const char* kFewAndSmall = "2 %, or 15 tolerances";
+constexpr const char* kFewAndSmall = "2 % or 15 tolerances";
 constexpr double kFewLeft = 0.25;
 /// Minimum share of the remaining wrong pairs for a cause, and minimum number if it may be chance.
 constexpr double kOfWrong = 0.3;
@@ -83,7 +83,7 @@ class ClaimsWatch final : public Watch {
     }
     if (const double deeper = wrong_.common_depth(); deeper != 0)
       unexplained[int(Wrong::Separation)].what +=
-          ": all are " + metres(std::abs(deeper)) + (deeper > 0 ? " m too deep" : " m too shallow");
+          ": all are " + metres(std::abs(deeper)) + (deeper > 0 ? " too deep" : " too shallow");
     std::erase_if(unexplained, [](const Finding& finding) { return finding.count == 0; });
     std::ranges::stable_sort(unexplained, std::greater(), &Finding::count);
     std::ranges::move(unexplained, std::back_inserter(findings));
@@ -346,8 +346,8 @@ class ClaimsWatch final : public Watch {
     if (best.share == other.share) std::swap(best, other);  // the size is simpler
     const auto is_of = [&](const WrongPair& wrong) { return best(wrong) || other(wrong); };
     const auto amount = [&](const Fit& fit) {
-      return fit.is_margin ? metres(std::abs(fit.scale - 1) * size_of_[fit.shape]) + " m"
-                           : metres(1 / fit.scale) + " times";
+      return fit.is_margin ? metres(std::abs(fit.scale - 1) * size_of_[fit.shape])
+                           : shown(1 / fit.scale) + " times";
     };
     constexpr const char* kCauses[2][2] = {{"shape_too_large", "shape_too_small"},
                                            {"margin_taken_off", "margin_added"}};
@@ -391,7 +391,7 @@ class ClaimsWatch final : public Watch {
     Finding finding = gathered(
         larger ? "margin_added" : "margin_taken_off",
         "contacts fit shapes that are together " + metres(std::abs(margin)) +
-            (larger ? " m larger" : " m smaller"),
+            (larger ? " larger" : " smaller"),
         larger
             ? "the engine adds a margin or radius: write the shapes with it (a hull may have a "
               "'radius' too), or find where it is added twice"

@@ -291,7 +291,7 @@ class ContactsWatch final : public Watch {
                  double moved) {
     ++depths_.of, ++normals_.of;
     const double turned = known.b_in_a.rotation.angularDistance(at.b_in_a.rotation);
-    const auto degrees = [](double radians) { return metres(radians * 180 / std::numbers::pi); };
+    const auto degrees = [](double radians) { return shown(radians * 180 / std::numbers::pi); };
     const auto mark = [&](const Jump& jump) {
       return Mark{jump.frame, jump.line, std::get<0>(key), std::get<1>(key),
                   at.a.pose.transform(jump.then.in_a)};
@@ -311,7 +311,7 @@ class ContactsWatch final : public Watch {
       depths_.wrong_at(mark(*known.depth), frames, size, [&] {
         return std::pair("separation " + metres(then.reported) + ", and " +
                              metres(before.reported) + " in the frame before",
-                         "the surfaces moved by " + metres(then.measured - before.measured) + " m");
+                         "the surfaces moved by " + metres(then.measured - before.measured));
       });
       known.depth.reset();
     }

@@ -122,7 +122,7 @@ class IdsWatch final : public Watch {
     return true;
   }
 
-  Tally changed_{"ids_change"}, alike_{"ids_alike"};
+  Tally changed_{"ids_change"}, alike_{"ids_alike", "manifolds"};
 };
 
 }  // namespace

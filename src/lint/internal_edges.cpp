@@ -117,7 +117,7 @@ class InternalEdgesWatch final : public Watch {
             [&] {
               return std::pair(
                   "normal " + spelled(manifold.normal) + ", at " + spelled(point.position),
-                  "it leans by " + metres(lean * 180 / std::numbers::pi) +
+                  "it leans by " + shown(lean * 180 / std::numbers::pi) +
                       " degrees from the surface, which continues there");
             },
             point.position);
@@ -125,7 +125,7 @@ class InternalEdgesWatch final : public Watch {
     }
   }
 
-  Tally tally_{"internal_edge"};
+  Tally tally_{"internal_edge", "points"};
 };
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 namespace contactscope::lint {
 
-std::string metres(double length) { return printed("%.3g", length); }
+std::string shown(double value) { return printed("%.3g", value); }
 
 std::string spelled(const Vec3d& vector) {
-  return "[" + metres(vector.x()) + ", " + metres(vector.y()) + ", " + metres(vector.z()) + "]";
+  return "[" + shown(vector.x()) + ", " + shown(vector.y()) + ", " + shown(vector.z()) + "]";
 }
 
 bool LintOptions::ignores(const std::string& cause, const std::string& a,
@@ -83,7 +83,7 @@ void add_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
   const double share = shape.margin / ((upper - lower).minCoeff() / 2);
   if (!(share > kLarge)) return;
   hints.push_back({"large_margin",
-                   "the margin is " + metres(std::round(100 * share)) +
+                   "the margin is " + shown(std::round(100 * share)) +
                        " % of the smallest half extent of '" + shape.name + "'",
                    "contacts at its corners and edges are off by as much: make the margin smaller",
                    1, 0, 1, 0, shape.name});

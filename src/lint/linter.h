@@ -20,7 +20,7 @@ struct Finding {
   std::string what;    // "normals of all 37 pairs point from b to a"
   std::string remedy;  // how to fix it
   int count = 0;       // occurrences
-  int of = 0;          // out of this many; 0: not counted
+  int of = 0;          // out of this many cases of all frames; 0: not counted
   // The first or the worst occurrence:
   int line = 0;  // line in the file, from 1; 0: none
   int frame = 0;
@@ -34,6 +34,7 @@ struct Finding {
   bool is_severe = false;  // farther off than engines approximate
   double size = 1;         // of the error, relative to the smaller shape; 1: all of it is wrong
   double gross = 0;        // size of a case far beyond approximations; 0: there is none
+  std::string_view cases = "pairs";  // "poses", "points"
 };
 
 /// Whether it is a fault, and often or large enough.

@@ -28,12 +28,14 @@ struct Samples {
   }
   Finding finding(const std::string& cause, const std::string& what, const std::string& remedy,
                   const std::string& said, const std::string& is) const {
-    return {cause, what, remedy, count, count, line, frame, name, "", said, is};
+    Finding one{cause, what, remedy, count, count, line, frame, name, "", said, is};
+    one.cases = "poses";
+    return one;
   }
   Finding of_unit(const std::string& unit, double factor, const std::string& said,
                   const std::string& in_metres) const {
     return finding("world_in_" + unit, "lengths are in " + unit,
-                   "divide all lengths by " + metres(factor) + ": a trace is in metres", said,
+                   "divide all lengths by " + shown(factor) + ": a trace is in metres", said,
                    "in metres it would be " + in_metres);
   }
   /// The median, if most samples are close to it.
@@ -212,7 +214,7 @@ class MotionWatch final : public Watch {
     ++rests_now_.of, ++jumps_.of;
     const auto words = [&] {
       return std::pair(
-          "its contacts carry " + metres(now.impulse.dot(up_) / weight) + " of its weight",
+          "its contacts carry " + shown(now.impulse.dot(up_) / weight) + " of its weight",
           std::string("it rests, and they carry another share in other frames"));
     };
     const bool is_other = jumps(&Load::impulse) && jumps(&Load::once);
@@ -255,8 +257,8 @@ class MotionWatch final : public Watch {
     const Samples& samples = bears ? weights_ : *falls;
     findings.push_back(samples.finding(
         "time_in_milliseconds", "'time' is in milliseconds", "divide it by 1000: it is in seconds",
-        bears ? "its contacts carry " + metres(*share) + " of its weight"
-              : "it falls with " + metres(std::abs(*falls->common())) + " per second squared",
+        bears ? "its contacts carry " + shown(*share) + " of its weight"
+              : "it falls with " + shown(std::abs(*falls->common())) + " per second squared",
         bears ? "it rests, so they carry all of it" : "it would be 9.81"));
     return true;
   }
@@ -268,7 +270,7 @@ class MotionWatch final : public Watch {
       for (const auto& [unit, factor] : kUnits) {
         if (!is_near(std::abs(*fall), factor * kGravity)) continue;
         findings.push_back(samples.of_unit(
-            unit, factor, "it falls with " + metres(std::abs(*fall)) + " per second squared",
+            unit, factor, "it falls with " + shown(std::abs(*fall)) + " per second squared",
             "9.81"));
       }
     }
@@ -285,8 +287,8 @@ class MotionWatch final : public Watch {
         if (finding.cause == std::string("world_in_") + unit) return;
       const double density = densities_.values.kept().front();
       findings.push_back(densities_.of_unit(
-          unit, factor, "its box and mass give " + metres(density) + " kg per cubic metre",
-          metres(cube * density)));
+          unit, factor, "its box and mass give " + shown(density) + " kg per cubic metre",
+          shown(cube * density)));
     }
   }
 
@@ -300,7 +302,7 @@ class MotionWatch final : public Watch {
     if (!share) return;
     const auto say = [&](const char* cause, const char* what, const char* remedy) {
       findings.push_back(weights_.finding(cause, what, remedy,
-                                          "its contacts carry " + metres(*share) + " of its weight",
+                                          "its contacts carry " + shown(*share) + " of its weight",
                                           "it rests, so they carry all of it"));
     };
     const struct {
@@ -331,7 +333,7 @@ class MotionWatch final : public Watch {
   std::array<Samples, 3> falls_, rests_;
   Samples weights_, densities_;
   Loads before_, now_, after_;
-  Tally rests_now_{"impulses_flicker"}, jumps_{"impulses_flicker"};
+  Tally rests_now_{"impulses_flicker", "poses"}, jumps_{"impulses_flicker", "poses"};
   int steps_ = 0;
   double step_ = 1;
 };

@@ -166,7 +166,7 @@ class OverlapsWatch final : public Watch {
     for (const auto& one : list) count += one.second.count;
     findings.push_back({cause, what, remedy, count, touching_ + count, deepest->second.line,
                         deepest->second.frame, deepest->first.first, deepest->first.second,
-                        "no contact", "they overlap by " + metres(deepest->second.deepest) + " m"});
+                        "no contact", "they overlap by " + metres(deepest->second.deepest)});
     findings.back().is_severe = deepest->second.is_gross;
     findings.back().size = deepest->second.size;
   }

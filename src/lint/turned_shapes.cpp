@@ -35,7 +35,7 @@ class RotationsWatch final : public Watch {
 
  private:
   int upright_ = 0;
-  Tally half_turns_{"quaternions_xyzw"};
+  Tally half_turns_{"quaternions_xyzw", "poses"};
 };
 
 }  // namespace
@@ -81,7 +81,7 @@ class WindingsWatch final : public Watch {
         constexpr double kClear = 0.5;  // smaller at edges
         if (std::abs(cosine) < kClear) continue;
         Tally& met = met_[name];
-        ++met.of;
+        met.cases = "points", ++met.of;
         if (cosine < 0)
           met.wrong(frames, name, other, [&] {
             return std::pair(

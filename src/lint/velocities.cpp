@@ -80,7 +80,7 @@ template <std::size_t Count> class Readings {
 
   const Other (&others_)[Count];
   const char *name_, *unit_;
-  Tally wrong_;
+  Tally wrong_{"", "poses"};
   std::array<int, Count> explained_{};
 };
 
@@ -159,15 +159,15 @@ class FrictionWatch final : public Watch {
           along_.wrong(frames, pair.a, pair.b, [&] {
             return std::pair(
                 "friction " + spelled(friction) + " N s, normal " + spelled(manifold.normal),
-                "along the normal it is " + metres(friction.dot(manifold.normal)) +
-                    " N s, the normal impulse is " + metres(normal));
+                "along the normal it is " + shown(friction.dot(manifold.normal)) +
+                    " N s, the normal impulse is " + shown(normal) + " N s");
           });
         const Vec3d across = friction - friction.dot(manifold.normal) * manifold.normal;
         ++beyond_.of;
         if (across.norm() > kMaxFriction * normal)
           beyond_.wrong(frames, pair.a, pair.b, [&] {
-            return std::pair("friction of " + metres(across.norm()) + " N s",
-                             "the normal impulse is " + metres(normal) + " N s");
+            return std::pair("friction of " + shown(across.norm()) + " N s",
+                             "the normal impulse is " + shown(normal) + " N s");
           });
         if (across.norm() > kSome * normal)
           see_sliding(solids, frames, pair, manifold, *deepest, across);
@@ -223,8 +223,8 @@ class FrictionWatch final : public Watch {
       });
   }
 
-  Tally along_{"friction_along_normal"}, beyond_{"friction_beyond_normal"},
-      forward_{"friction_on_a"};
+  Tally along_{"friction_along_normal", "manifolds"},
+      beyond_{"friction_beyond_normal", "manifolds"}, forward_{"friction_on_a", "manifolds"};
 };
 
 }  // namespace

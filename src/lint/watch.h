@@ -41,8 +41,10 @@ std::unique_ptr<Watch> watch_velocities();
 /// turned_shapes.cpp: meshes that are hit from behind.
 std::unique_ptr<Watch> watch_windings();
 
-/// "0.0213": metres as written in findings.
-std::string metres(double length);
+/// "0.0213": a number as written in findings.
+std::string shown(double value);
+/// "0.0213 m".
+inline std::string metres(double length) { return shown(length) + " m"; }
 /// "[0, 1, 0]".
 std::string spelled(const Vec3d& vector);
 
@@ -85,6 +87,7 @@ struct Tally {
   };
 
   std::string cause{};
+  std::string_view cases = "pairs";
   int count = 0, of = 0;
   std::map<std::pair<std::string, std::string>, OfPair> pairs{};
   Finding first{}, worst{};
@@ -136,9 +139,10 @@ struct Tally {
     finding.remedy = remedy;
     finding.count = count;
     finding.of = of;
+    finding.cases = cases;
     finding.marks = marks.kept();
     if (is_rare && gross == 0)
-      finding.below = metres(100 * share) + " %";
+      finding.below = shown(100 * share) + " %";
     else if (count < least)
       finding.below = std::to_string(least) + " of them";
     findings.push_back(finding);

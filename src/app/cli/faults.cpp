@@ -13,11 +13,12 @@ std::string record(const std::string& file, const lint::Finding& finding) {
   std::string text = file + ":" + std::to_string(std::max(finding.line, 1)) +
                      ":1: " + (finding.is_hint ? "hint: " : "") + finding.what;
   if (finding.of > 0)
-    text += ", " + std::to_string(finding.count) + " of " + std::to_string(finding.of);
+    text += ", " + std::to_string(finding.count) + " of " + std::to_string(finding.of) + " " +
+            std::string(finding.cases);
   else if (finding.count > 1)
     text += ", " + std::to_string(finding.count) + " times";
   if (!finding.below.empty())
-    text += ", below the " + finding.below + " that is reported; --strict reports all";
+    text += ", below the threshold of " + finding.below + " (--strict reports all)";
   text += " [" + finding.cause + "]";
   if (!finding.below.empty()) return text;
   if (!finding.a.empty()) {
