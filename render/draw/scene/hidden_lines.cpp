@@ -25,14 +25,23 @@ Eigen::Vector2i cell_at(const Eigen::Vector2d& place) {
           static_cast<int>(std::clamp(place.y(), 0.0, kRows - 1.0))};
 }
 
+float float_below(double value) {
+  return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
+}
+
+float float_above(double value) { return -float_below(-value); }
+
+/// The least distance of the points from the plane of the eye.
+double nearest_depth(std::span<const Vec3d> points, const Camera& camera) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (const Vec3d& p : points) depth = std::min(depth, camera.to_camera(p).z());
+  return depth;
+}
+
 /// A box in float around a box in double.
 Eigen::AlignedBox2f around(const Eigen::AlignedBox2d& box) {
-  constexpr float kFar = std::numeric_limits<float>::infinity();
-  const auto toward = [](const Eigen::Vector2d& corner, float end) {
-    return Eigen::Vector2f(std::nextafter(static_cast<float>(corner.x()), end),
-                           std::nextafter(static_cast<float>(corner.y()), end));
-  };
-  return {toward(box.min(), -kFar), toward(box.max(), kFar)};
+  return {Eigen::Vector2f(float_below(box.min().x()), float_below(box.min().y())),
+          Eigen::Vector2f(float_above(box.max().x()), float_above(box.max().y()))};
 }
 
 /// Corners of a rectangle on the screen that holds the body; nothing if a part may be behind the eye.
@@ -71,19 +80,18 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
                          const std::vector<RoundBody>& bodies)
     : camera_(camera), given_{occluders.size(), shadows.size(), bodies.size()} {
   // Adds the shadow of the bounds from `begin` on, and puts it into the cells of the box around its
-  // corners; without any it is everywhere.
-  const auto put = [&](std::size_t begin, std::span<const Point2> seen,
-                       const Vec3d& place) -> Shadow& {
+  // corners; without any it is everywhere. `depth`: that of its nearest point.
+  const auto put = [&](std::size_t begin, std::span<const Point2> seen, double depth) -> Shadow& {
     const int index = count_of(shadows_);
     const Box box = box_of(seen);
     const std::size_t end = bounds_.size();
-    shadows_.push_back({begin, end, end, {}, camera.to_camera(place).norm()});
+    shadows_.push_back({begin, end, end, {}});
     if (seen.empty()) {
       everywhere_.push_back(index);
       return shadows_.back();
     }
     const Eigen::Vector2i first = cell_at(box.min()), last = cell_at(box.max());
-    const Near near{around(box), index, first.cast<std::int16_t>()};
+    const Near near{around(box), float_below(depth), index, first.cast<std::int16_t>()};
     for (int row = first.y(); row <= last.y(); ++row)
       for (int column = first.x(); column <= last.x(); ++column)
         at(cells_, row * kColumns + column).push_back(near);
@@ -95,9 +103,9 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
   for (std::size_t i = 0; i < shadows.size(); ++i) {
     const std::size_t begin = bounds_.size();
     bounds_.insert(bounds_.end(), shadows[i].bounds.begin(), shadows[i].bounds.end());
-    Shadow& shadow =
-        put(begin, many_bodies ? corners_around(bodies[i], camera) : std::vector<Point2>(),
-            many_bodies ? bodies[i].core.front() : Vec3d::Zero());
+    Shadow& shadow = many_bodies ? put(begin, corners_around(bodies[i], camera),
+                                       nearest_depth(bodies[i].core, camera) - bodies[i].radius)
+                                 : put(begin, {}, 0);
     shadow.sides = begin + shadows[i].sides;
     shadow.behind = shadows[i].behind;
   }
@@ -135,12 +143,11 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
       if (facing < 0) side = -side;
       bounds_.push_back({side, side.dot(p) - border});
     }
-    put(begin, seen, middle);
+    put(begin, seen, nearest_depth(polygon, camera));
   }
   for (std::vector<Near>& cell : cells_)
-    std::ranges::sort(cell, {}, [&](const Near& near) {
-      return std::pair(at(shadows_, near.shadow).away, near.shadow);
-    });
+    std::ranges::sort(cell, {},
+                      [](const Near& near) { return std::pair(near.depth, near.shadow); });
 }
 
 HiddenLines::Box HiddenLines::box_of(std::span<const Point2> points) const {
@@ -180,15 +187,22 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
                             : project_segment(camera_, from, to)) {
     const Box line = box_of(std::array{seen->from, seen->to});
     const Eigen::AlignedBox2f rounded = around(line);
+    const float farthest =
+        float_above(std::max(camera_.to_camera(from).z(), camera_.to_camera(to).z()));
     const Eigen::Vector2i first = cell_at(line.min()), last = cell_at(line.max());
     for (int row = first.y(); row <= last.y(); ++row)
       for (int column = first.x(); column <= last.x(); ++column)
         for (const Near& near : at(cells_, row * kColumns + column)) {
-          // A shadow counts only in the first cell that it shares with the line.
-          if (near.box.intersects(rounded) && std::max<int>(near.first.x(), first.x()) == column &&
-              std::max<int>(near.first.y(), first.y()) == row &&
-              hides_all(at(shadows_, near.shadow)))
-            return {whole};
+          if (near.depth > farthest) break;  // it hides only what is farther than itself
+          // A shadow counts only in the first cell that it shares with the line. No test depends on
+          // another one, because processors predict them badly.
+          const bool meets = bool(near.box.min().x() <= rounded.max().x()) &
+                             bool(near.box.min().y() <= rounded.max().y()) &
+                             bool(near.box.max().x() >= rounded.min().x()) &
+                             bool(near.box.max().y() >= rounded.min().y()) &
+                             bool(std::max<int>(near.first.x(), first.x()) == column) &
+                             bool(std::max<int>(near.first.y(), first.y()) == row);
+          if (meets && hides_all(at(shadows_, near.shadow))) return {whole};
         }
   }
   std::ranges::sort(hidden);

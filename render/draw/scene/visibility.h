@@ -119,11 +119,11 @@ class HiddenLines {
     std::size_t begin = 0, end = 0;  // of its bounds
     std::size_t sides = 0;           // the first bound that what is behind meets; or `end`
     std::vector<Plane<double>> behind{};
-    double away = 0;  // from the eye
   };
   /// A shadow in a cell; most of them are rejected by their boxes.
   struct Near {
     Eigen::AlignedBox2f box;  // around the shadow's corners
+    float depth;              // of its nearest point
     int shadow;
     Eigen::Matrix<std::int16_t, 2, 1> first;  // the shadow's first cell
   };
