@@ -54,15 +54,17 @@ struct PairPoints {
 
   void add_contacts() const {
     std::map<std::string, int> seen;  // engines may give two points the same id
-    int number = 0;
     for (const trace::Manifold& manifold : pair.manifolds) {
+      const auto m = &manifold - pair.manifolds.data();
       for (const trace::Point& point : manifold.points) {
-        ++number;
-        const std::string id = point.id.empty() ? std::to_string(number) : point.id;
+        // Numbered as lint and the 3D page do.
+        const std::string number = std::to_string(&point - manifold.points.data()) +
+                                   (m > 0 ? " of manifold " + std::to_string(m) : "");
+        const std::string id = point.id.empty() ? number : point.id;
         const int times = seen[id]++;
         PointFacts* const facts =
             add(point.position, id + (times > 0 ? "#" + std::to_string(times) : ""),
-                "point " + std::to_string(number), layers);
+                "point " + number, layers);
         if (facts == nullptr) continue;
         facts->is_contact = true;
         facts->rows.push_back(gap_row(point.separation));

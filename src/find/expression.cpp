@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "core/key_table.h"
+#include "core/spell.h"
 
 namespace contactscope::find {
 
@@ -38,8 +39,8 @@ constexpr std::array<UnitWord, 11> kUnitWords = {{{"m", Unit::Metres, 1},
                                                   {"rad", Unit::Degrees, 180 / std::numbers::pi},
                                                   {"s", Unit::Seconds, 1},
                                                   {"ms", Unit::Seconds, 1e-3},
-                                                  {"N", Unit::NewtonSeconds, 1},
-                                                  {"Ns", Unit::NewtonSeconds, 1}}};
+                                                  {"Ns", Unit::NewtonSeconds, 1},
+                                                  {"N", Unit::NewtonSeconds, 1}}};
 
 const char* spelled(Unit unit) {
   constexpr const char* kNames[] = {"a number", "a count", "a text",    "a length",
@@ -89,8 +90,9 @@ double calculate(const std::string& name, double a, double b) {
 /// Recursive descent: or, and, not, comparison, sum, product, sign, term.
 class Expression::Parser {
  public:
-  Parser(const std::string& text, const Vocabulary& vocabulary, std::vector<Fact>& facts)
-      : text_(text), vocabulary_(vocabulary), facts_(facts) {
+  Parser(const std::string& text, const Vocabulary& vocabulary, std::vector<Fact>& facts,
+         std::vector<std::string>& assumptions)
+      : text_(text), vocabulary_(vocabulary), facts_(facts), assumptions_(assumptions) {
     next();
   }
 
@@ -171,8 +173,20 @@ class Expression::Parser {
     if (one != Unit::Any && other != Unit::Any && one != other)
       fail(at, std::string("left of '") + name + "' is " + spelled(one) + ", right of it " +
                    spelled(other));
+    if (one == Unit::Any) assume(left, other);
+    if (other == Unit::Any) assume(right, one);
     if (name != "+" && name != "-") return Unit::Any;
     return one == Unit::Any ? other : one;
+  }
+
+  void assume(const Node& number, Unit unit) const {
+    const auto known = std::ranges::find_if(
+        kUnitWords, [&](const UnitWord& word) { return word.unit == unit && word.factor == 1; });
+    if (number.kind != Node::Kind::Constant || known == kUnitWords.end()) return;
+    const double* const value = std::get_if<double>(&number.value);
+    if (value == nullptr || *value == 0) return;
+    const std::string spelled = printed("%g", *value);
+    assumptions_.push_back(spelled + " is " + spelled + " " + std::string(known->name));
   }
 
   template <class Below> Node chain(std::initializer_list<const char*> names, const Below& below) {
@@ -321,19 +335,22 @@ class Expression::Parser {
     std::vector<std::string_view> names = names_in(vocabulary_.quantities);
     const std::string near = did_you_mean(quantity, names);
     names.insert(names.end(), vocabulary_.counts.begin(), vocabulary_.counts.end());
-    fail("'" + quantity + "' is not a quantity; " + near + "known: " + quoted_list(names));
+    fail("'" + quantity + "' is not a quantity" +
+         (near.empty() ? "; put the name of a shape in quotes; " : "; ") + near +
+         "known: " + quoted_list(names));
   }
 
   const std::string& text_;
   const Vocabulary& vocabulary_;
   std::vector<Fact>& facts_;
+  std::vector<std::string>& assumptions_;
   std::size_t at_ = 0, begin_ = 0;
   std::string token_;
   double number_ = 0;  // the value of a token that is a number
 };
 
 Expression::Expression(const std::string& text, const Vocabulary& vocabulary) : text_(text) {
-  root_ = std::make_shared<const Node>(Parser(text_, vocabulary, facts_).whole());
+  root_ = std::make_shared<const Node>(Parser(text_, vocabulary, facts_, assumptions_).whole());
 }
 
 std::set<std::string> Expression::sides() const {

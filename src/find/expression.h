@@ -75,6 +75,8 @@ class Expression {
   const std::string& text() const { return text_; }
   /// The facts in the expression, each once, in order.
   const std::vector<Fact>& facts() const { return facts_; }
+  /// Comparisons of a quantity that has a unit with a number that has none: "50 is 50 m".
+  const std::vector<std::string>& assumptions() const { return assumptions_; }
   /// The sides in the expression: "float", "bullet". A quantity without a side has the side "".
   std::set<std::string> sides() const;
   /// Whether the expression is true. Texts are true if not empty, numbers if not 0.
@@ -88,6 +90,7 @@ class Expression {
 
   std::string text_;
   std::vector<Fact> facts_;
+  std::vector<std::string> assumptions_;
   std::shared_ptr<const Node> root_;
 };
 

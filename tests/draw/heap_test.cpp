@@ -456,11 +456,11 @@ TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
       {"normals_jump", 1, 36, 7, {on_floor(7, 2)}},
       {"poses_jump", 1, 0, 0, {{0, "crate_24", ""}}}};
   EXPECT_THAT(panel_texts(heap, Panel::Lint),
-              testing::ElementsAre(
-                  "lint: 4 findings", "3 of 40", "pairs flicker", "!1  crate 3 and crate 9",
-                  "9 times", "points twice", "!2  floor and crate 1", "!3  floor and crate 2",
-                  "!4  floor and crate 4", "and 1 more pair", "1 of 36", "normals jump",
-                  "as in frame 7", "1 time", "poses jump", "!5  crate 24"));
+              testing::ElementsAre("lint: 4 findings", "3 of 40", "pairs flicker",
+                                   "!1  crate 3 and crate 9", "9 times", "points twice",
+                                   "!2  floor and crate 1", "!3  floor and crate 2",
+                                   "!4  floor and crate 4", "and 1 more pair", "1 of 36, frame 7",
+                                   "normals jump", "1 time", "poses jump", "!5  crate 24"));
   const Sketch sketch = sketch_frame(heap.staged(), heap.frames[0]);
   std::map<std::string, Vec3d> marked;
   for (const Label& label : sketch.labels)
@@ -476,6 +476,15 @@ TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
     if (pair.b == "crate_2") {
       EXPECT_EQ(marked["!3"], pair.manifolds[0].points[0].position);
     }
+}
+
+TEST(HeapPanels, LintCountsTheFindingsForWhichThereIsNoRoom) {
+  Heap heap(6);
+  heap.view.faults.assign(99, {"normals_jump", 1, 36, 7, {}});
+  const std::vector<std::string> texts = panel_texts(heap, Panel::Lint);
+  const auto listed = std::ranges::count(texts, "normals jump");
+  EXPECT_GT(listed, 10);
+  EXPECT_EQ(texts.back(), "and " + std::to_string(99 - listed) + " more findings");
 }
 
 /// A ring is at the point of its finding, not at the deepest one of the pair, and has a row.

@@ -9,6 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 /// As that of `shrink`: any side, and causes of `lint`.
 const Vocabulary& sides_and_causes() {
@@ -83,8 +84,17 @@ TEST(Expression, NamesItsSides) {
               ElementsAre("", "bullet", "double", "lint"));
 }
 
+TEST(Expression, SaysWhichUnitItAssumes) {
+  const auto assumed = [](const std::string& text) {
+    return Expression(text, sides_and_causes()).assumptions();
+  };
+  EXPECT_THAT(assumed("separation > 50 and 2 < separation"), ElementsAre("50 is 50 m", "2 is 2 m"));
+  EXPECT_THAT(assumed("separation > 5 mm and points > 3 and separation > 0"), IsEmpty());
+}
+
 TEST(Expression, ReportsTheErrorWithItsPlaceAndRemedy) {
   EXPECT_THAT(complaint("float.pionts > 1"), HasSubstr("did you mean 'points'?"));
+  EXPECT_THAT(complaint("axis == face_a"), HasSubstr("'face_a' is not a quantity; put the name"));
   EXPECT_THAT(complaint("points = 1"), HasSubstr("column 8 of 'points = 1': compare with '=='"));
   EXPECT_THAT(complaint("points >"), HasSubstr("a quantity is missing at the end"));
   EXPECT_THAT(complaint("(points > 1"), HasSubstr("')' is missing"));

@@ -56,7 +56,7 @@ TEST(PointFacts, StandWhereThePointsArePainted) {
     EXPECT_THAT(point.rows, Contains(Pair("overlap", "2.00 mm")));
     EXPECT_THAT(point.rows, Contains(Pair("impulse", "0.250 N s")));
   }
-  EXPECT_EQ(points[1].name, "point 2");
+  EXPECT_EQ(points[1].name, "point 1");
   EXPECT_EQ(points[1].key, "slab|crate||b:v5");
   EXPECT_THAT(points[1].rows, Contains(Pair("made by", "vertex 5 of crate")));
 }

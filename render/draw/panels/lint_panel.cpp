@@ -38,9 +38,13 @@ struct InFrame {
   std::size_t before = 0;  // listed places of the faults before
   std::size_t room = 0;    // rows of the panel for the places
 
-  std::size_t listed() const { return std::min({places.size(), kOfFault, room}); }
-  /// One for the cause, and one for other frames or pairs.
-  std::size_t rows() const { return 1 + listed() + (places.empty() || places.size() > listed()); }
+  std::size_t listed() const {
+    const std::size_t all = std::min(places.size(), kOfFault);
+    return all == places.size() && all <= room ? all
+                                               : std::min(all, std::max<std::size_t>(room, 1) - 1);
+  }
+  /// Whether a row counts the places that are not listed.
+  bool counts_others() const { return listed() < places.size() && room > 0; }
   /// "!2": of a place, in the panel and in the view.
   std::string number(std::size_t i) const { return "!" + std::to_string(before + i + 1); }
 };
@@ -51,17 +55,20 @@ std::size_t rows_in(const View& view) {
 
 std::vector<InFrame> faults_in(const View& view, int frame) {
   std::vector<InFrame> all;
-  std::size_t rows = 0;
+  // Each fault has a row for its cause; the first ones share the others.
+  const std::size_t rows = rows_in(view);
+  std::size_t room = rows - std::min(rows, view.faults.size());
   for (const Fault& fault : view.faults) {
     InFrame here{&fault};
     if (!all.empty()) here.before = all.back().before + all.back().listed();
-    here.room = std::max(rows + 2, rows_in(view)) - rows - 2;
+    here.room = room;
     for (const Fault::Place& place : fault.places)
-      if (place.frame == frame && std::ranges::none_of(here.places, [&](const auto* other) {
+      if (place.frame == frame && !place.a.empty() &&
+          std::ranges::none_of(here.places, [&](const auto* other) {
             return other->a == place.a && other->b == place.b;
           }))
         here.places.push_back(&place);
-    rows += here.rows();
+    room -= here.listed() + here.counts_others();
     all.push_back(std::move(here));
   }
   return all;
@@ -89,11 +96,9 @@ class LintPanel : public PanelContent {
     sheet.heading(faults.empty()  ? "lint: nothing is wrong"
                   : findings == 0 ? "pairs for which the condition holds"
                                   : "lint: " + counted(findings, "finding", "findings"));
-    std::size_t left_out = 0;
+    const auto height = static_cast<double>(sheet.line_height());
     const auto row = [&](const std::string& text, const std::string& value = "") {
       const Rect rest = sheet.rest();
-      const auto height = static_cast<double>(sheet.line_height());
-      if (left_out > 0 || rest.height + 1 < height) return void(++left_out);
       const double baseline = rest.y + 0.78 * height;
       const Pen& pen = sheet.pen();
       const Weight weight = value.empty() ? Weight::Regular : Weight::Bold;
@@ -106,20 +111,25 @@ class LintPanel : public PanelContent {
     if (by_overlap_) row("in view: the largest overlap for its body's size");
     for (const InFrame& one : faults) {
       const Fault& fault = *one.fault;
+      const auto left = static_cast<std::size_t>(faults.data() + faults.size() - &one);
+      if (sheet.rest().height + 1 < std::min<double>(2, double(left)) * height) {
+        row("and " + counted(left, "more finding", "more findings"));
+        break;
+      }
       row(fault.is_condition ? fault.cause : cause_in_words(fault.cause),
-          fault.of > 0 ? spell_count(fault.count) + " of " + spell_count(fault.of)
-                       : counted(static_cast<std::size_t>(fault.count), "time", "times"));
+          (fault.of > 0 ? spell_count(fault.count) + " of " + spell_count(fault.of)
+                        : counted(static_cast<std::size_t>(fault.count), "time", "times")) +
+              (one.places.empty() ? ", frame " + std::to_string(fault.first) : ""));
       for (std::size_t i = 0; i < one.listed(); ++i) {
         const Fault::Place& place = *one.places[i];
         row(one.number(i) + "  " + name_in_words(place.a) +
             (place.b.empty() ? "" : " and " + name_in_words(place.b)));
       }
-      if (one.places.empty())
-        row("as in frame " + std::to_string(fault.first));
-      else if (one.places.size() > one.listed())
-        row("and " + counted(one.places.size() - one.listed(), "more pair", "more pairs"));
+      if (!one.counts_others()) continue;
+      const std::string noun = one.places.front()->b.empty() ? "more shape" : "more pair";
+      row("and " + counted(one.places.size() - one.listed(), noun, noun + "s"));
     }
-    return left_out == 0 ? "" : counted(left_out, "line", "lines");
+    return {};
   }
 
  private:

@@ -110,7 +110,10 @@ ExitCode run_find(const Options& options) {
     print_json(hits, finder.expression(), frames, file.name());
   else if (!hits.empty())
     print_table(hits, finder.expression().facts());
-  if (!options.quiet) std::cerr << found.size() << " of " << counted(frames, "frame") << '\n';
+  if (options.quiet) return hits.empty() ? ExitCode::Different : ExitCode::Same;
+  for (const std::string& assumption : finder.expression().assumptions())
+    std::cerr << "note: " << assumption << ", because no unit follows\n";
+  std::cerr << found.size() << " of " << counted(frames, "frame") << '\n';
   return hits.empty() ? ExitCode::Different : ExitCode::Same;
 }
 
