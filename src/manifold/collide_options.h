@@ -45,6 +45,7 @@ struct CollideOptions {
   FieldSearch field = FieldSearch::Conservative;
   bool internal_edges = true;  // replaces contacts with edges and faces that the surface lacks
   MeshManifolds mesh_manifolds = MeshManifolds::Pair;
+  int recorded_triangle = -1;  // of a mesh: the one whose stages a record has; -1: the deepest
   /// For two overlapping hulls. Meshes and round shapes have methods of their own.
   PenetrationMethod penetration = PenetrationMethod::Sat;
   /// Processes two shapes without an order in the table as if the arguments were swapped.

@@ -285,10 +285,14 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
   const auto collide_triangle = [&](int index) {
     const PlacedTriangle<S> placed(b, index, b_in_a, hull);
     Contact<S> contact;
+    if (recorder) [[unlikely]]
+      recorder->triangle_begins();
     const S separation = collide(placed, contact);
     least = std::min(least, separation);
     if (contact.points.empty()) {
       kept = std::min(kept, separation);
+      if (recorder) [[unlikely]]
+        recorder->triangle_ends(index, separation, false, options);
       return;
     }
     if (options.internal_edges) {
@@ -319,10 +323,14 @@ S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const P
       }
     }
     kept = std::min(kept, contact.deepest());
+    if (recorder) [[unlikely]]
+      recorder->triangle_ends(index, contact.points.empty() ? separation : contact.deepest(),
+                              !contact.points.empty(), options);
     sink.add(contact, index);
   };
   if (recorder) [[unlikely]] {
     for (const int index : recorder->query_tree(b, box)) collide_triangle(index);
+    recorder->triangles_end();
   } else {
     near.each(is_clear, collide_triangle);
   }

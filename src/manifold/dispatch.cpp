@@ -147,12 +147,13 @@ template <class S>
 [[gnu::noinline]] void collide_with_record(const PlacedPair<S>& pair, const CollideOptions& options,
                                            Manifolds<S>& manifolds, trace::Pair& record,
                                            trace::Stages stages, Entry<S> collide_pair) {
-  // Each triangle has its own, and each part of a field its own reduction, but a record has room
-  // for one of each.
+  // Each triangle and each part of a field has its own, but a record has room for one of each.
   if (kind_of(pair.b) >= ShapeKind::Mesh) {
-    stages.sat = stages.clip = stages.gjk = stages.decisions = false;
-    stages.reduction = stages.reduction && kind_of(pair.b) == ShapeKind::Mesh &&
-                       options.mesh_manifolds == MeshManifolds::Pair;
+    const bool is_mesh = kind_of(pair.b) == ShapeKind::Mesh;
+    stages.gjk = stages.decisions = false;
+    stages.sat = stages.sat && is_mesh;
+    stages.clip = stages.clip && is_mesh;
+    stages.reduction = stages.reduction && is_mesh && options.mesh_manifolds == MeshManifolds::Pair;
   }
   Recorder<S> recorder(ToWorld<S>(pair.pose_a), stages, record);
   collide_pair(pair, options, manifolds, &recorder);

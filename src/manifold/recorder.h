@@ -83,6 +83,14 @@ template <class S> class Recorder {
   /// the world.
   KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,
                      const ReduceOptions& options);
+  /// Begins the stages of the next triangle of a mesh, which collides as a flat hull. A record has
+  /// room for those of one: of `options.recorded_triangle`, or else of the deepest contact, and
+  /// without contacts of the nearest triangle.
+  void triangle_begins();
+  void triangle_ends(int triangle, S separation, bool touches, const CollideOptions& options);
+  /// Writes the stages of that triangle. Its face has the triangle's number, edge k the number
+  /// 3 triangle + k.
+  void triangles_end();
   /// `points` contact points of these triangles of a mesh became the next manifold.
   void merged(std::vector<int> triangles, int points);
   /// The points of the recorded reduction were those of `all` (A's frame) with these indices.
@@ -149,6 +157,13 @@ template <class S> class Recorder {
   GjkRun<S> gjk_run_;
   PenetrationSteps<S> penetration_steps_;
   std::vector<trace::FieldProbe> probes_;
+  struct TriangleStages {
+    int triangle = -1;
+    bool touches = false;
+    S separation = S(0);
+    trace::Stage<trace::Sat> sat{};
+    trace::Stage<trace::Clip> clip{};
+  } of_triangle_;
 };
 
 /// Records of GJK and of the penetration methods; null also without a recorder.

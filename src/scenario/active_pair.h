@@ -100,6 +100,7 @@ inline CollideOptions options_of(const PipelineSettings& settings) {
   options.field = settings.field;
   options.internal_edges = settings.internal_edges;
   options.mesh_manifolds = settings.mesh_manifolds;
+  options.recorded_triangle = settings.triangle;
   options.penetration = settings.penetration;
   options.reducer = find_reducer(settings.reducer);
   options.reduction.max_points = settings.max_points;

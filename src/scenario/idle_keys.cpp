@@ -35,9 +35,9 @@ std::string idle_question(std::string_view key, const Question& question) {
 }
 
 constexpr const char* kContactKeys[] = {
-    "manifold",    "reducer",           "max_points",     "margin",         "cache",
-    "preference",  "degenerate",        "internal_edges", "mesh_manifolds", "field",
-    "core_margin", "breaking_distance", "confirm",        "too_close"};
+    "manifold",   "reducer",     "max_points",        "margin",         "cache",
+    "preference", "degenerate",  "internal_edges",    "mesh_manifolds", "triangle",
+    "field",      "core_margin", "breaking_distance", "confirm",        "too_close"};
 constexpr const char* kQuestionKeys[] = {"comparison", "tolerance", "axes", "skip_up_to"};
 
 /// Why `key` has no effect on a pair; empty if it has one.
@@ -75,6 +75,15 @@ std::string idle_reason(std::string_view key, const ScenarioPair& pair, const Sc
     return is_field(pair.a) || is_field(pair.b)
                ? ""
                : "neither shape is a distance field (type = \"sdf\"); remove it";
+  }
+  if (key == "triangle") {
+    for (const int i : {pair.a, pair.b})
+      if (const Mesh<double>* const mesh = std::get_if<Mesh<double>>(&*scenario.shape(i).geometry))
+        return pair.pipeline.triangle < mesh->triangle_count()
+                   ? ""
+                   : "'" + scenario.shape(i).name + "' has triangles 0 to " +
+                         std::to_string(mesh->triangle_count() - 1);
+    return "neither shape is a mesh; remove it";
   }
   const bool of_incremental =
       key == "core_margin" || key == "breaking_distance" || key == "confirm" || key == "too_close";

@@ -98,6 +98,7 @@ PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("field", settings.field);
   table.read("internal_edges", settings.internal_edges);
   table.read("mesh_manifolds", settings.mesh_manifolds);
+  table.read("triangle", settings.triangle);
   table.read("degenerate", settings.degenerate);
   return settings;
 }

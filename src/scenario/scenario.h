@@ -89,6 +89,7 @@ struct PipelineSettings {
   FieldSearch field = FieldSearch::Conservative;
   bool internal_edges = true;
   MeshManifolds mesh_manifolds = MeshManifolds::Pair;
+  int triangle = -1;  // of a mesh: the one whose stages are recorded; -1: the deepest
   PenetrationMethod penetration = PenetrationMethod::Sat;
   ManifoldKind manifold = ManifoldKind::OneShot;
   IncrementalSettings incremental;

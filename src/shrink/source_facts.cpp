@@ -84,6 +84,7 @@ std::vector<Setting> settings_of(const PipelineSettings& settings) {
   word("degenerate", settings.degenerate, usual.degenerate);
   word("penetration", settings.penetration, usual.penetration);
   word("mesh_manifolds", settings.mesh_manifolds, usual.mesh_manifolds);
+  if (settings.triangle >= 0) keys.emplace_back("triangle", std::to_string(settings.triangle));
   if (!settings.internal_edges) keys.emplace_back("internal_edges", "false");
   const Question& requested = settings.question;
   word("query", requested.kind, usual.question.kind);

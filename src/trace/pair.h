@@ -264,6 +264,7 @@ struct Pair {
   Stage<Sat> sat;
   Stage<Clip> clip;
   Stage<Reduction> reduction;
+  std::optional<int> triangle{};  // of a mesh: the one with the stages sat and clip
   Stage<Degenerate> degenerate{};
   Stage<Tree> tree{};
   Stage<Voided> voided{};
@@ -296,6 +297,7 @@ struct Pair {
         // Reported last because it mostly repeats a point's separation.
         field::length<&Pair::separation>.otherwise_by(&Pair::mark_missing).reported_last(),
         field::facts<&Pair::manifolds>.entries("manifold"),  //
+        field::exact<&Pair::triangle>,                       //
         field::fact<&Pair::sat>.called("sat"),               //
         field::fact<&Pair::clip>.called("clip"), field::fact<&Pair::reduction>.called("reduction"),
         field::fact<&Pair::gjk>.called("gjk"),    //

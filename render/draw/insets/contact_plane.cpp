@@ -180,7 +180,7 @@ void explain_panels(const View& view, const trace::Frame& frame, Legend& legend)
   }
   const trace::Pair* pair = pair_of_contact_plane(frame);
   if (pair == nullptr || !view.shows(Panel::ContactPlane)) return;
-  if (pair->clip && pair->manifolds.size() == 1) {
+  if (own_clip(*pair) != nullptr) {
     legend.explain(kReferenceFaceSwatch, "reference face");
     legend.explain(kIncidentFaceSwatch, "incident face");
     if (!pair->clip->steps.empty() && !pair->clip->steps.back().polygon.empty())

@@ -29,12 +29,12 @@ void draw_face_of_round(const Scene& scene, const trace::Pair& pair, Sketch& ske
   sketch.explain(kReferenceFaceSwatch, "reference face", face->polygon.front());
 }
 
-// Whether another pair has filled the same reference face, up to rounding: two fills are too
-// strong.
-bool is_marked_ground(const trace::Polygon& polygon, const Sketch& sketch) {
+// Whether the same face is filled already, up to rounding: by another pair, or as a triangle of a
+// mesh that is touched. Two fills are too strong.
+bool is_filled(const trace::Polygon& polygon, const Color& fill, const Sketch& sketch) {
   const double same = 1e-5 * reach_of(polygon);
   return std::ranges::any_of(sketch.surfaces, [&](const Surface& surface) {
-    return surface.kind == Surface::Kind::Ground &&
+    return surface.color == fill &&
            std::ranges::equal(surface.polygon, polygon, [&](const Vec3d& p, const Vec3d& q) {
              return (p - q).norm() <= same;
            });
@@ -53,13 +53,14 @@ void draw_clip_face(const Scene& scene, const trace::Pair& pair, Sketch& sketch)
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool acts = kReference && all_planes_have_cut(scene, pair);
   const bool known = has_clip_story(scene, pair) && shown > 0 && !acts;
+  const Color fill = with_alpha(color, 0.35f);
   if (known)
     sketch.outline(polygon, {kReference ? 2.5f : 2.0f, color, !kReference});
-  else if (!kReference)
-    sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color, true});
-  else if (!is_marked_ground(polygon, sketch)) {
-    sketch.face(polygon, with_alpha(color, 0.35f), {3.0f, color});
-    sketch.surfaces.back().kind = Surface::Kind::Ground;
+  else if (!is_filled(polygon, fill, sketch)) {
+    sketch.face(polygon, fill, {3.0f, color, !kReference});
+    if (kReference) sketch.surfaces.back().kind = Surface::Kind::Ground;
+  } else if (pair.triangle) {
+    return;
   }
   sketch.explain(kReference ? kReferenceFaceSwatch : kIncidentFaceSwatch,
                  kReference ? "reference face" : "incident face", near_corner(polygon));

@@ -63,7 +63,7 @@ class ContactPlanePanel : public PanelContent {
       append(points_, positions_of(*pair));
       if (pair->stability && staging.view.shows(Layer::CenterOfMass))
         points_.push_back(pair->stability->projection);
-      if (pair->clip) append(points_, pair->clip->incident.polygon);
+      if (const auto* clip = own_clip(*pair)) append(points_, clip->incident.polygon);
       const std::vector<PlacedShape> round = round_shapes(staging.meshes, frame, *pair);
       const auto smallest = std::ranges::min_element(
           round, {}, [](const PlacedShape& shape) { return shape.mesh->radius; });
@@ -97,7 +97,7 @@ class ContactPlanePanel : public PanelContent {
     const double caption = map.bottom() + line;
     const ContactPlane plane = plane_of(*pair, map, sheet.pen());
     draw_round_shapes(*pair, frame, plane);
-    if (pair->clip && pair->manifolds.size() == 1) draw_clip(*pair, plane);
+    if (own_clip(*pair) != nullptr) draw_clip(*pair, plane);
     const bool has_center = staging_.view.shows(Layer::CenterOfMass);
     const bool is_under = has_center && covers_point(*pair, plane);
     if (is_under) draw_projection(*pair, plane, kUnderPoint);

@@ -41,7 +41,10 @@ std::string words_of_step(const trace::Clip& clip, std::size_t steps) {
 }
 
 std::string words_of_result(const trace::Pair& pair) {
-  const std::size_t kept = all_points(pair).size();
+  // Of a mesh only those of the clipped triangle, if its manifold is not merged with others.
+  std::size_t kept = 0;
+  for (const trace::Manifold& manifold : pair.manifolds)
+    if (!manifold.triangle || manifold.triangle == pair.triangle) kept += manifold.points.size();
   const auto above = static_cast<std::size_t>(std::ranges::count_if(
       pair.clip->dropped, [&](const trace::DroppedPoint& point) { return !is_kept(pair, point); }));
   std::string words = counted(kept, "corner is", "corners are") + " at or below the reference face";

@@ -14,6 +14,7 @@ namespace contactscope::draw {
 /// Straight (not premultiplied) sRGB colour, 0 to 1.
 struct Color {
   float r = 0, g = 0, b = 0, a = 1;
+  friend bool operator==(const Color&, const Color&) = default;
 };
 
 /// Pixels from the top left corner of the canvas, y down; pixel centres at half-integers. Also used

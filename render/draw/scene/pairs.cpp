@@ -53,6 +53,12 @@ OnBoth surfaces_scaled(const Scene& scene, const trace::Pair& pair, const PairPo
 
 }  // namespace
 
+const trace::Clip* own_clip(const trace::Pair& pair) {
+  const bool is_merged = pair.merge && !pair.merge->manifolds.empty() &&
+                         pair.merge->manifolds.front().triangles.size() > 1;
+  return pair.clip && pair.manifolds.size() == 1 && !is_merged ? &*pair.clip : nullptr;
+}
+
 std::vector<PairPoint> all_points(const trace::Pair& pair) {
   std::vector<PairPoint> points;
   for (const trace::Manifold& manifold : pair.manifolds)

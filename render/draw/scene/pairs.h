@@ -17,6 +17,9 @@ struct PairPoint {
 };
 
 std::vector<PairPoint> all_points(const trace::Pair& pair);
+/// The clipping that made the pair's only manifold. Null for a manifold of several triangles, since
+/// a record has the clipping of one.
+const trace::Clip* own_clip(const trace::Pair& pair);
 
 std::vector<Vec3d> positions_of(const trace::Pair& pair);
 

@@ -71,6 +71,10 @@ std::vector<Vec3d> PlacedShape::polygon(int face) const {
 
 std::optional<std::array<Vec3d, 2>> PlacedShape::edge(int index) const {
   const trace::Shape& shape = mesh->core != nullptr ? *mesh->core : *mesh->shape;
+  if (is_mesh() && index >= 0 && index < 3 * count_of(shape.faces)) {
+    const std::vector<int>& corners = at(shape.faces, index / 3);
+    return std::array{vertex(at(corners, index % 3)), vertex(at(corners, (index + 1) % 3))};
+  }
   if (index < 0 || index >= count_of(shape.edges)) return std::nullopt;
   const auto& [from, to] = at(shape.edges, index);
   if (mesh->core == nullptr) return std::array{vertex(from), vertex(to)};

@@ -85,6 +85,21 @@ void override_reducer(Scenario& scenario, const std::string& reducer) {
   for (ScenarioPair& pair : scenario.pairs) pair.pipeline.reducer = reducer;
 }
 
+/// Throws UsageError for a scenario without such a triangle.
+void choose_triangle(Scenario& scenario, int triangle) {
+  scenario.pipeline.triangle = triangle;
+  for (ScenarioPair& pair : scenario.pairs) pair.pipeline.triangle = triangle;
+  int most = 0;
+  for (const ScenarioShape& shape : scenario.shapes)
+    if (const Mesh<double>* const mesh = std::get_if<Mesh<double>>(&*shape.geometry))
+      most = std::max(most, mesh->triangle_count());
+  if (triangle >= most)
+    throw UsageError(
+        "--triangle " + std::to_string(triangle) + ": " + scenario.name +
+        (most == 0 ? " has no mesh"
+                   : " has no mesh with more than " + counted(std::size_t(most), "triangle")));
+}
+
 void require_view(const Scenario& scenario, const std::string& view) {
   const std::vector<View>& views = scenario.views;
   if (view.empty() || std::ranges::find(views, view, &View::name) != views.end()) return;
@@ -200,6 +215,7 @@ std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>*
     }
     if (!is_new(scenario.name, file, paths)) continue;
     if (!options.reducer.empty()) override_reducer(scenario, options.reducer);
+    if (options.triangle) choose_triangle(scenario, *options.triangle);
     require_view(scenario, options.view);
     if (options.frames && options.selected(scenario.frames).empty()) {
       throw UsageError("--frames names no frame of " + scenario.name + ", which has frames 0 to " +
@@ -220,7 +236,8 @@ std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>*
 std::vector<std::string> stored_traces(const Options& options) {
   std::vector<std::string> folders = options.scenarios, traces;
   if (folders.empty()) folders = {options.scenario_root};
-  if (!options.reducer.empty() || options.timing || !options.view.empty() || options.frames)
+  if (!options.reducer.empty() || options.triangle || options.timing || !options.view.empty() ||
+      options.frames)
     folders.clear();
   std::error_code unknown;
   for (std::string& folder : folders) {
@@ -286,8 +303,10 @@ std::vector<Input> load_inputs(const Options& options, Hold hold, Unreadable unr
     }
   }
   for (const std::string& file : traces) {
-    if (!options.reducer.empty() || options.timing) {
-      throw UsageError(std::string(options.timing ? "--timing" : "--reducer") +
+    if (!options.reducer.empty() || options.triangle || options.timing) {
+      throw UsageError(std::string(options.timing     ? "--timing"
+                                   : options.triangle ? "--triangle"
+                                                      : "--reducer") +
                        " changes the pipeline, but " + file +
                        " is a trace of its results; leave it out, or name a scenario");
     }

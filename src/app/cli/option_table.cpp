@@ -243,6 +243,11 @@ const std::vector<Option>& option_table() {
        kUnrecorded},
       {"--reducer", "NAME", "render trace explore", &Options::reducer, "Reducer for every pair",
        named(Kind::Words, names_in(reducers()))},
+      {"--triangle", "NUMBER", "render trace", &Options::triangle,
+       "Triangle of a mesh whose separating axes and clipping are recorded and drawn, instead of "
+       "the "
+       "deepest contact's",
+       between(0, 1e6)},
       {"--time-limit", "SECONDS", "versus shrink", &Options::time_limit,
        "Time that the program of an engine may take", between(0.01, 1e6)},
       {"--shard", "K/N", "render", read<&Options::shard, parse_shard>,

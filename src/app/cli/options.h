@@ -142,8 +142,9 @@ struct Options : PictureOptions, CheckOptions, LintOptions, CompareOptions {
   std::string scenario_root = "scenarios";
   std::string out = "out";
   std::optional<FrameRange> frames;
-  std::string reducer;  // instead of the scenario's
-  int jobs = 0;         // 0: number of processors
+  std::string reducer;          // instead of the scenario's
+  std::optional<int> triangle;  // of a mesh: its stages are recorded
+  int jobs = 0;                 // 0: number of processors
   bool json = false, quiet = false, verbose = false;
 
   /// Indices of frames selected by --frames; all without it.
