@@ -8,9 +8,8 @@ namespace {
 /// The reference: compares every box with every other one, n (n - 1) / 2 comparisons.
 class BruteForce : public Clonable<BruteForce> {
   void find_pairs(BroadPhaseRecord* /*record*/) override {
-    for (int i = 0; i < handles(); ++i) {
+    for (int i = 0; i < handles(); ++i)
       for (int j = i + 1; j < handles(); ++j) compare(i, j);
-    }
   }
 };
 
@@ -125,9 +124,8 @@ void BroadPhase::move(int handle, const Aabb<float>& box) {
 void BroadPhase::compare_with_all(std::vector<int> large, BroadPhaseRecord* record) {
   std::ranges::sort(large);
   for (const int i : large) {
-    for (int j = 0; j < handles(); ++j) {
+    for (int j = 0; j < handles(); ++j)
       if (j > i || (j < i && !std::ranges::binary_search(large, j))) compare(i, j);
-    }
   }
   if (record != nullptr) record->large = std::move(large);
 }

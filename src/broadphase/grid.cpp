@@ -60,9 +60,8 @@ class Grid : public Clonable<Grid> {
 
   void choose_cells() {
     sides_.clear();
-    for (int i = 0; i < handles(); ++i) {
+    for (int i = 0; i < handles(); ++i)
       if (is_bounded(box(i))) sides_.push_back(box(i).extent().maxCoeff());
-    }
     cell_ = 1;
     if (sides_.empty()) return;
     const auto middle = sides_.begin() + static_cast<std::ptrdiff_t>(sides_.size() / 2);
@@ -98,9 +97,8 @@ class Grid : public Clonable<Grid> {
         continue;
       }
       for (std::int32_t x = lower[0]; x <= upper[0]; ++x) {
-        for (std::int32_t y = lower[1]; y <= upper[1]; ++y) {
+        for (std::int32_t y = lower[1]; y <= upper[1]; ++y)
           for (std::int32_t z = lower[2]; z <= upper[2]; ++z) entries_.push_back({{x, y, z}, i});
-        }
       }
     }
     counts_.visits += static_cast<std::int64_t>(entries_.size());

@@ -115,9 +115,8 @@ class Octree : public Clonable<Octree> {
       ++counts_.visits;
       if (!overlaps(node.reach, box)) continue;
       for (const int handle : node.here) test(handle);
-      for (const int child : node.children) {
+      for (const int child : node.children)
         if (child >= 0 && at(nodes_, child).below > 0) open_.push_back(child);
-      }
     }
   }
 

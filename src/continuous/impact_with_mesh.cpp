@@ -252,9 +252,8 @@ template <class S> class MeshSearch {
       }
       if (!a_.owns_edge(a, i)) continue;
       const MovingEdge<S> edge = a_.edge(a, i);
-      for (int j = 0; j < 3; ++j) {
+      for (int j = 0; j < 3; ++j)
         if (b_.owns_edge(b, j)) offer(impact_of_edges(edge, b_.edge(b, j), best_), a, i, b, j);
-      }
     }
   }
 

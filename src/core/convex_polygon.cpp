@@ -31,9 +31,8 @@ std::vector<Vec2d> convex_polygon(std::vector<Vec2d> points) {
 
 double area_of(const std::vector<Vec2d>& polygon) {
   double doubled = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
+  for (std::size_t i = 0; i < polygon.size(); ++i)
     doubled += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
-  }
   return polygon.size() < 3 ? 0 : 0.5 * doubled;
 }
 

@@ -105,9 +105,8 @@ template <class S, class F> inline std::uint32_t bits(const F& flags) {
 #else
   {
     std::uint32_t set = 0;
-    for (int lane = 0; lane < kLanesOf<S, F>; ++lane) {
+    for (int lane = 0; lane < kLanesOf<S, F>; ++lane)
       set |= static_cast<std::uint32_t>(flags[lane] & 1) << lane;
-    }
     return set;
   }
 #endif

@@ -1,14 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <limits>
-#include <memory>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
+#include "core/standard.h"
 
 /// A condition on contacts, as on the command line of `shrink` and `find`:
 ///

@@ -35,9 +35,8 @@ inline constexpr BoxTopology kBox = [] {
   BoxTopology box;
   std::size_t count = 0;
   const auto half_edge_between = [&](int origin, int target) {
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
       if (box.half_edges[i].origin == origin && box.half_edges[i ^ 1].origin == target) return i;
-    }
     box.half_edges[count] = {origin, -1, -1};
     box.half_edges[count + 1] = {target, -1, -1};
     count += 2;

@@ -49,9 +49,8 @@ template <class S> Vec3<S> box_extents(const Hull<S>& hull) {
 template <class S> void lay_out(Hull<S>& hull) {
   hull.half_extents = box_extents(hull);
   hull.lanes.vertices.assign(lane_count(hull.vertex_count()), S(0));
-  for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
+  for (std::size_t i = 0; i < hull.vertices.size(); ++i)
     put(hull.lanes.vertices, i, hull.vertices[i]);
-  }
   hull.lanes.normals.assign(lane_count(hull.face_count()), S(0));
   hull.lanes.offsets.assign(hull.lanes.normals.size() / 3, std::numeric_limits<S>::infinity());
   for (std::size_t i = 0; i < hull.planes.size(); ++i) {

@@ -133,9 +133,8 @@ std::vector<int> flat_outline(std::span<const Vec3d> points, double tolerance) {
 /// the course of quickhull.
 Hull<double> compact(std::span<const Vec3d> points, std::vector<std::vector<int>> faces) {
   std::vector<int> number(points.size(), -1);
-  for (const std::vector<int>& face : faces) {
+  for (const std::vector<int>& face : faces)
     for (const int point : face) at(number, point) = 0;
-  }
   std::vector<Vec3d> vertices;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (number[i] < 0) continue;
@@ -267,18 +266,16 @@ Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& option
     quickhull::Result result = quickhull::run(local, scaled);
     if (result.status == quickhull::Status::Done) {
       const double off = options.for_float ? rounding_to_float(kept) : 0;
-      if (!has_true_edges(result, std::ldexp(off, -exponent))) {
+      if (!has_true_edges(result, std::ldexp(off, -exponent)))
         if (auto hull = hull_with_near_points(kept, tolerance, options.for_float)) return *hull;
-      }
       return compact(kept, std::move(result.faces));
     }
     if (result.status == quickhull::Status::Coplanar && options.allow_flat) {
       const std::vector<int> front = flat_outline(local, scaled);
       return compact(kept, {front, {front.rbegin(), front.rend()}});
     }
-    if (result.status != quickhull::Status::Unresolved) {
+    if (result.status != quickhull::Status::Unresolved)
       refuse(result.status, kept.size(), factor * tolerance);
-    }
   }
   refuse(quickhull::Status::Unresolved, kept.size(), tolerance);
 }

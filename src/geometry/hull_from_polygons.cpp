@@ -62,9 +62,8 @@ void link_edges(Hull<double>& hull, const std::vector<std::vector<int>>& faces) 
     at(hull.half_edges, previous).next = hull.face_edges.back();
   }
   hull.vertex_edges.assign(hull.vertices.size(), -1);
-  for (int i = count_of(hull.half_edges); i-- > 0;) {
+  for (int i = count_of(hull.half_edges); i-- > 0;)
     at(hull.vertex_edges, at(hull.half_edges, i).origin) = i;
-  }
 }
 
 void check_closed(const Hull<double>& hull) {
@@ -72,13 +71,11 @@ void check_closed(const Hull<double>& hull) {
     if (edge.face < 0)
       not_closed("an edge at vertex " + std::to_string(edge.origin) + " has one face");
   }
-  for (std::size_t i = 0; i < hull.vertex_edges.size(); ++i) {
+  for (std::size_t i = 0; i < hull.vertex_edges.size(); ++i)
     if (hull.vertex_edges[i] < 0) not_closed("vertex " + std::to_string(i) + " is in no face");
-  }
   const int euler = hull.vertex_count() - hull.edge_count() + hull.face_count();
-  if (euler != 2) {
+  if (euler != 2)
     not_closed("V - E + F is " + std::to_string(euler) + ", but 2 for a convex solid");
-  }
 }
 
 Vec3d mean_of(const std::vector<Vec3d>& points) {

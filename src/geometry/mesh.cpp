@@ -281,9 +281,8 @@ template <class T> Mesh<T> mesh_cast(const Mesh<double>& mesh) {
 }
 
 template <class S> void update_surface(Mesh<S>& mesh) {
-  for (int i = 0; i < mesh.triangle_count(); ++i) {
+  for (int i = 0; i < mesh.triangle_count(); ++i)
     at(mesh.normals, i) = normal_of(mesh, i).template cast<S>();
-  }
   if (!mesh.seams.empty()) {
     std::vector<TriangleEdge> on_seams;
     for (int t = 0; t < mesh.triangle_count(); ++t)

@@ -58,9 +58,8 @@ class Checker {
       if (statement == "v") check_vertex();
       if (statement == "f") check_face();
     }
-    if (vertices_ == 0) {
+    if (vertices_ == 0)
       throw InputError(path_, 0, 0, "the file has no vertex; a shape needs 'v x y z' lines");
-    }
     if (largest_index_ > vertices_) {
       throw InputError(path_, line_of_largest_, 1,
                        "the face names vertex " + std::to_string(largest_index_) +
@@ -126,9 +125,8 @@ class Checker {
       long index = 0;
       const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
       const bool number_ends = end == word.data() + word.size() || *end == '/';
-      if (error != std::errc{} || !number_ends || index == 0 || index < -vertices_) {
+      if (error != std::errc{} || !number_ends || index == 0 || index < -vertices_)
         fail(quoted(word) + " names no vertex; vertices count from 1, or from -1 backwards");
-      }
       if (face.size() == kMaxCorners)
         fail("the face has more than " + std::to_string(kMaxCorners) +
              " corners; split it into faces");
@@ -208,9 +206,8 @@ Contents read(const std::string& path) {
 std::vector<Vec3d> load_obj_vertices(const std::string& path) {
   const Contents contents = read(path);
   std::vector<bool> used(contents.vertices.size(), contents.faces.empty());
-  for (const std::vector<int>& face : contents.faces) {
+  for (const std::vector<int>& face : contents.faces)
     for (const int vertex : face) at(used, vertex) = true;
-  }
 
   std::vector<Vec3d> points;
   std::set<std::tuple<double, double, double>> seen;

@@ -8,9 +8,8 @@ Mesh::Mesh(std::span<const Vec3d> points) : points_(points), leaving_(points.siz
 
 std::vector<int> Mesh::faces() const {
   std::vector<int> kept;
-  for (int i = 0; i < face_count(); ++i) {
+  for (int i = 0; i < face_count(); ++i)
     if (!face(i).gone) kept.push_back(i);
-  }
   return kept;
 }
 
@@ -159,9 +158,8 @@ void Mesh::remove_vertex(int vertex, std::vector<int>& vertices, std::vector<int
   face(one).edge = in;
   face(other).edge = back;
   changed.insert(changed.end(), {one, other});
-  for (const int i : {one, other}) {
+  for (const int i : {one, other})
     if (loop(i).size() == 2 && !broken_) remove_two_gon(i, vertices);
-  }
 }
 
 void Mesh::remove_two_gon(int face_index, std::vector<int>& vertices) {

@@ -134,9 +134,8 @@ template <class S> inline constexpr S kUnsureSine = S(4) * kParallelSine<S>;
 template <class S>
 Vec3<S> fallback_normal(const AxisPair<S>& axes, const Capsule<S>& a, const Capsule<S>& b,
                         const Pose<S>& b_in_a) {
-  if (!axes.b.has_length() && axes.a.has_length()) {
+  if (!axes.b.has_length() && axes.a.has_length())
     return body_perpendicular(Vec3<S>(a.points[1] - a.points[0]));
-  }
   const Vec3<S> fixed = b_in_a.rotate(body_perpendicular(Vec3<S>(b.points[1] - b.points[0])));
   const S sure = std::clamp(axes.sine - kParallelSine<S>, S(0), kUnsureSine<S>);
   const S unsure = std::max(S(0), kUnsureSine<S> - axes.sine);

@@ -176,9 +176,8 @@ void add_point_next_to_edge(const TouchingPair<S>& pair, const CapsuleTouch<S>& 
   }
   in_order(stretch[0], stretch[1], pair.scale);
   const CorePoint<S>& first = result.points[0];
-  if (stretch[0].distance <= first.distance + tie_tolerance(pair.scale)) {
+  if (stretch[0].distance <= first.distance + tie_tolerance(pair.scale))
     result.points[0] = stretch[0];
-  }
   if (stretch[1].id == first.id || pair.are_one(stretch[1].parameter, first.parameter)) return;
   if (stretch[1].distance <= reach) result.points.push_back(stretch[1]);
   result.type = ContactType::EdgeEdge;

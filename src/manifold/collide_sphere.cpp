@@ -162,9 +162,8 @@ S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_
   if (touch.distance <= S(0)) {
     const bool tied = faces.is_tied(face, tie, kNearlyParallelSine<S>);
     const bool on_surface = -touch.distance <= touching_distance(scale);
-    if (tied) {
+    if (tied)
       degenerate = on_surface ? "centre on an edge or a vertex" : "centre as near to several faces";
-    }
   } else if (const int side_edge = outside_side(b, face, center); side_edge >= 0) {
     const Touch<S> closest =
         touch_edge_or_vertex(b, center, face, side_edge, scale, gjk_run(recorder));

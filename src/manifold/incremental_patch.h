@@ -251,9 +251,8 @@ template <class S> bool holds(const SupportFeature<S>& feature, const Vec2<S>& p
 
 /// The edge of a hull between two of its vertices, half-edge / 2; -1 if there is none.
 template <class S> int edge_between(const Hull<S>& hull, int one, int other) {
-  for (const int edge : hull.around_vertex(one)) {
+  for (const int edge : hull.around_vertex(one))
     if (at(hull.half_edges, Hull<S>::twin(edge)).origin == other) return edge / 2;
-  }
   return -1;
 }
 

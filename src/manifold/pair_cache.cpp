@@ -254,9 +254,8 @@ void note_features(const PlacedHull<S>& reference, const PlacedHull<S>& other_hu
                    const FaceQuery<S>& query, S rounding, PairCache<S>& cache) {
   const Plane<S> plane = reference.plane(query.face);
   S next = std::numeric_limits<S>::infinity();
-  for (int v = 0; v < other_hull.vertices.count(); ++v) {
+  for (int v = 0; v < other_hull.vertices.count(); ++v)
     if (v != query.support) next = std::min(next, plane.distance(other_hull.vertices[v]));
-  }
   cache.support = query.support;
   cache.support_clearance = next - query.separation - rounding;
 

@@ -1,5 +1,3 @@
-#include <array>
-
 #include "manifold/queried_pair.h"
 
 namespace contactscope {

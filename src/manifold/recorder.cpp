@@ -214,9 +214,8 @@ void Recorder<S>::axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_
   }
   if (axes.queries_run < 3) return;
   EdgeQuery<S> query = axes.edge;
-  if (query.edge_a < 0) {
+  if (query.edge_a < 0)
     query = query_edges(pair, faces_a, -std::numeric_limits<S>::infinity(), axes.tie);
-  }
   if (query.edge_a < 0) return;
   const ClosestPoints<S> closest = closest_points(pair.a, pair.b, query);
   sat.edge = trace::EdgeAxis{query.edge_a / 2,        query.edge_b / 2,    query.separation,

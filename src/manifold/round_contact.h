@@ -15,9 +15,8 @@ namespace contactscope {
 
 /// Lexicographic comparison of two vectors: less (-1), equal (0) or more (1).
 template <class V> int order_of(const V& one, const V& other) {
-  for (int i = 0; i < static_cast<int>(one.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(one.size()); ++i)
     if (one[i] != other[i]) return one[i] < other[i] ? -1 : 1;
-  }
   return 0;
 }
 

@@ -121,9 +121,8 @@ int crossing_edges(const Hull<S>& hull, const FaceDistances<S>& distances, S bou
   Scratch<int, 192> sums(padded(edge_count));
   int* sum = sums.data();
 #pragma GCC unroll 4
-  for (int edge = 0; edge < edge_count; ++edge) {
+  for (int edge = 0; edge < edge_count; ++edge)
     sum[edge] = mark[half_edges[2 * edge].face] + mark[half_edges[2 * edge + 1].face];
-  }
   int count = 0;
   for_each_with_bits(sum, edge_count, kCrosses, [&](int edge) { edges[count++] = 2 * edge; });
   return count;
@@ -370,9 +369,8 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
     parameters[end] = touch.parameter;
     edges[end] = -1;
   }
-  if (axes.face_tied && touch.distance <= touching) {
+  if (axes.face_tied && touch.distance <= touching)
     touch.degenerate = "segment as near to several faces";
-  }
   return touch;
 }
 

@@ -27,9 +27,8 @@ template <class S> S foot(const Vec3<S>& point, const Segment<S>& segment) {
   // From the nearer end, so that the rounding of a long segment is relative to the distance.
   const Vec3<S> from_start = point - segment.from;
   const Vec3<S> from_end = point - segment.to;
-  if (from_start.squaredNorm() <= from_end.squaredNorm()) {
+  if (from_start.squaredNorm() <= from_end.squaredNorm())
     return from_start.dot(segment.along) / segment.squared_length;
-  }
   return S(1) + from_end.dot(segment.along) / segment.squared_length;
 }
 
@@ -192,9 +191,8 @@ ClosestOfSegments<S> closest_of_segments(const Vec3<S>& from_a, const Vec3<S>& t
     const S line_a = offset.cross(b.along).dot(normal) / squared_sine;
     const S line_b = offset.cross(a.along).dot(normal) / squared_sine;
     if (is_within(line_a) && is_within(line_b)) {
-      if (squared_sine > kNoisySine<S> * kNoisySine<S> * squared_lengths) {
+      if (squared_sine > kNoisySine<S> * kNoisySine<S> * squared_lengths)
         return at_parameters(line_a, line_b, a, b);
-      }
       candidates[count++] = from_point_of_a(line_a, a, b);
       candidates[count++] = from_point_of_b(line_b, a, b);
     }

@@ -57,9 +57,8 @@ template <class S> int spread(StartPoints<S>& points, int count, S least) {
 template <class S>
 StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& difference) {
   StartSimplex<S> start;
-  for (const GjkVertex<S>& vertex : simplex.vertices) {
+  for (const GjkVertex<S>& vertex : simplex.vertices)
     at(start.points, start.count++) = difference.point_of({vertex.index_a, vertex.index_b});
-  }
   const S least = S(2) * difference.rounding();
   start.count = spread(start.points, start.count, least);
 
@@ -185,9 +184,8 @@ PenetrationResult<S> flat_result(const GjkSimplex<S>& simplex, const StartSimple
   difference.bound(faces_away ? Vec3<S>(-start.outward) : start.outward, found);
   WeightedPairs<S>& weights = difference.weights();
   weights.count = 0;
-  for (std::size_t i = 0; i < simplex.vertices.size(); ++i) {
+  for (std::size_t i = 0; i < simplex.vertices.size(); ++i)
     weights.add({simplex.vertices[i].index_a, simplex.vertices[i].index_b}, simplex.weights[i]);
-  }
   return difference.result(PenetrationStatus::Flat, S(0), 0);
 }
 

@@ -104,12 +104,8 @@ S largest_on_arc(const Search<S>& search, const Vec3<S>& e, const Sample<S>& fir
                  const Sample<S>& second) {
   const S first_cosine = first.direction.dot(search.normal);
   const S second_cosine = second.direction.dot(search.normal);
-  if (first_cosine >= search.cosine) {
-    return largest_far_part(search, e, second, first.direction);
-  }
-  if (second_cosine >= search.cosine) {
-    return largest_far_part(search, e, first, second.direction);
-  }
+  if (first_cosine >= search.cosine) return largest_far_part(search, e, second, first.direction);
+  if (second_cosine >= search.cosine) return largest_far_part(search, e, first, second.direction);
   // Both ends are far. In between, the arc is closest to the normal at the normal's projection on
   // its plane, if that is on the arc.
   const S between = first.direction.dot(second.direction);

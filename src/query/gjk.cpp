@@ -19,9 +19,8 @@ template <class S> struct Simplex {
   NearestOnSimplex<S> nearest;
 
   bool has(const IndexPair& pair) const {
-    for (int i = 0; i < nearest.count; ++i) {
+    for (int i = 0; i < nearest.count; ++i)
       if (at(pairs, i) == pair) return true;
-    }
     return false;
   }
   /// Smallest product of the simplex's points with a direction.

@@ -53,9 +53,8 @@ template <class S> void cut(S start, S end, S thickness, int edge, ClippedSegmen
 
 template <class S> HullFeature feature_of_b(const Hull<S>& hull, const GjkSimplex<S>& simplex) {
   Corners corners;
-  for (const GjkVertex<S>& vertex : simplex.vertices) {
+  for (const GjkVertex<S>& vertex : simplex.vertices)
     if (!has(corners, vertex.index_b)) corners.push_back(vertex.index_b);
-  }
   if (corners.size() == 1) return {FeatureKind::Vertex, corners[0]};
 
   HullFeature face{FeatureKind::Face, -1};

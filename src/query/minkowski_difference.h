@@ -96,14 +96,12 @@ template <class S> class MinkowskiDifference {
 /// origin.
 template <class S> Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
   std::size_t heaviest = 0;
-  for (std::size_t i = 1; i < simplex.vertices.size(); ++i) {
+  for (std::size_t i = 1; i < simplex.vertices.size(); ++i)
     if (simplex.weights[i] > simplex.weights[heaviest]) heaviest = i;
-  }
   const Vec3<S>& base = simplex.vertices[heaviest].*point;
   Vec3<S> aside = Vec3<S>::Zero();
-  for (std::size_t i = 0; i < simplex.vertices.size(); ++i) {
+  for (std::size_t i = 0; i < simplex.vertices.size(); ++i)
     if (i != heaviest) aside += simplex.weights[i] * (simplex.vertices[i].*point - base);
-  }
   return base + aside;
 }
 

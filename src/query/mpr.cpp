@@ -153,9 +153,8 @@ PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const P
       break;
     }
     S sides[3];
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
       sides[i] = portal.side(portal.from_inner(i), portal.from_inner(support));
-    }
     const bool first = sides[0] <= S(0) && sides[1] >= S(0);
     const bool second = !first && sides[1] <= S(0) && sides[2] >= S(0);
     portal[first ? 2 : second ? 0 : 1] = support;

@@ -1,9 +1,5 @@
 #include "query/overlap.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "query/fast/box_axes.h"
 
 // Two oriented boxes, `Guarded`: proof that no overlap is lost.
@@ -109,9 +105,8 @@ template <class S>
 [[gnu::always_inline]] inline Three<S> beyond(const Projections<S>& projections, S tolerance,
                                               const Three<S>& squared_length) {
   Three<S> gap = projections.gap();
-  if (tolerance > 0) {
+  if (tolerance > 0)
     for (int lane = 0; lane < 3; ++lane) gap[lane] -= tolerance * std::sqrt(squared_length[lane]);
-  }
   return gap;
 }
 

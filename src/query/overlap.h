@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "geometry/aabb.h"
 #include "geometry/obb.h"
 

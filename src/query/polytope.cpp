@@ -129,9 +129,8 @@ template <class S> int Polytope<S>::nearest_open() const {
 
 template <class S> S Polytope<S>::distance() const {
   S least = std::numeric_limits<S>::infinity();
-  for (const PolytopeFace<S>& candidate : faces) {
+  for (const PolytopeFace<S>& candidate : faces)
     if (candidate.is_alive) least = std::min(least, candidate.distance);
-  }
   return least;
 }
 

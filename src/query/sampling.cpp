@@ -63,9 +63,8 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
   SamplingDirections spread_evenly(samples);
   while (directions < samples) {
     is_better_along(spread_evenly.next().cast<S>());
-    if (!difference.is_finite() || difference.is_separated()) {
+    if (!difference.is_finite() || difference.is_separated())
       return difference.result(PenetrationStatus::Separated, S(0), directions);
-    }
   }
   const Vec3<S> middle = (b_in_a.transform(middle_of(b)) - middle_of(a));
   const S reach =

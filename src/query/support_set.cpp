@@ -64,9 +64,8 @@ template <class S> int support_in_lanes(const VectorLanes<S>& vertices, const Ve
 
 template <class S> int support_index(const SupportSet<S>& set, const Vec3<S>& direction) {
   // A triangle does not fill a pack of floats, and the padding is not a vertex.
-  if (set.hull != nullptr && set.count >= lanes::kWidth<S>) {
+  if (set.hull != nullptr && set.count >= lanes::kWidth<S>)
     return support_in_lanes<S>({set.hull->lanes.vertices.data(), set.count}, direction);
-  }
   if (set.count == 1) return 0;
   int best = 0;
   S farthest = direction.dot(set.points[0]);

@@ -109,9 +109,8 @@ Containment mesh_containment(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& 
   if (!open_edges(a).empty()) return Containment::AHasHoles;
   if (!open_edges(b).empty()) return Containment::BHasHoles;
   const std::vector<Vec3<S>> vertices_b = vertices_in(b, b_in_a);
-  for (const int vertex : vertex_of_each_part(b)) {
+  for (const int vertex : vertex_of_each_part(b))
     if (winding_number(a, at(vertices_b, vertex)).number != 0) return Containment::BInA;
-  }
   for (const int vertex : vertex_of_each_part(a)) {
     if (winding_around(vertices_b, b.triangles, at(a.vertices, vertex)).number != 0)
       return Containment::AInB;

@@ -136,9 +136,8 @@ void improve_from(const Patch<S>& patch, const CoherentWish<S>& wish, int first,
   }
   if (last < 0) return;
   best.ring.corners.clear();
-  for (int chain = last; chain >= 0; chain = at(chains, chain).before) {
+  for (int chain = last; chain >= 0; chain = at(chains, chain).before)
     best.ring.corners.push_back(corner(chain % columns));
-  }
   std::reverse(best.ring.corners.begin(), best.ring.corners.end());
 }
 
@@ -149,9 +148,8 @@ template <class S>
 CoherentRing<S> most_coherent_ring(const Patch<S>& patch, const CoherentWish<S>& wish) {
   CoherentRing<S> best;
   std::vector<Chain<S>> chains;
-  for (int first = 0; first < patch.count; ++first) {
+  for (int first = 0; first < patch.count; ++first)
     if (at(wish.is_old, first)) improve_from(patch, wish, first, chains, best);
-  }
   return best;
 }
 
@@ -173,9 +171,8 @@ KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
     wish.inner = patch.project(points[reference.inner]);
     wish.most = most - 1;
     CoherentRing<S> around = most_coherent_ring(patch, wish);
-    if (!around.ring.corners.empty()) {
+    if (!around.ring.corners.empty())
       around.old += static_cast<int>(steps::contains(old, reference.inner));
-    }
     if (around.old > best.old) {
       best = around;
       chosen.push_back(reference.inner);
@@ -185,9 +182,8 @@ KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
   for (const int corner : best.ring.corners) chosen.push_back(patch.point[corner]);
 
   KeptIndices kept;
-  for (const int i : old) {
+  for (const int i : old)
     if (steps::contains(chosen, i)) kept.push_back(i);
-  }
   for (const int i : chosen) steps::add_once(kept, i);
   return kept;
 }

@@ -102,9 +102,8 @@ template <class S>
 void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring, int begin) {
   const int size = count_of(ring.corners);
   const int step = patch.is_mirrored() ? size - 1 : 1;
-  for (int i = 0; i < size; ++i) {
+  for (int i = 0; i < size; ++i)
     kept.push_back(patch.point[at(ring.corners, (begin + i * step) % size)]);
-  }
 }
 
 /// Position of the deepest point in a ring: the earliest of those whose separations differ by no
@@ -139,9 +138,8 @@ KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring, S depth_
   for (const Pack<S>& depth : depths) deepest = lanes::smaller(deepest, depth);
   deepest = lanes::smallest<S>(deepest);
   std::uint32_t equal = 0;
-  for (int i = 0; i < 4; i += kLanes) {
+  for (int i = 0; i < 4; i += kLanes)
     equal |= lanes::bits<S>(depths[i / kLanes] <= deepest + depth_tie) << i;
-  }
   int begin = std::countr_zero(equal);
   if ((equal & (equal - 1)) != 0) begin = deepest_of(patch, ring, depth_tie);
 

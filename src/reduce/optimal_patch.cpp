@@ -111,9 +111,8 @@ template <class S> void Patch<S>::project_all(ContactPoints<S> points) {
   }
   if (i == corners) return;
   // The lanes after the last point repeat the first ones.
-  for (int lane = 0; lane < kLanes; ++lane) {
+  for (int lane = 0; lane < kLanes; ++lane)
     at[lane] = points.data() + std::min(i + lane - (i + lane < corners ? 0 : corners), corners - 1);
-  }
   lay(at, i);
   if (2 * corners < kLanes) repeat();
 }
@@ -127,9 +126,8 @@ template <class S> Vec2<S> Patch<S>::project(const Vec3<S>& position) const {
 }
 
 template <class S> void Patch<S>::repeat() {
-  for (S* const values : {xs, ys}) {
+  for (S* const values : {xs, ys})
     for (int i = count; i < 2 * count + 2 * kLanes; ++i) values[i] = values[i - count];
-  }
 }
 
 /// Keeps the earliest of coincident points.

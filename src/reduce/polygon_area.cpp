@@ -14,15 +14,13 @@ double best_from(const std::vector<Vec2d>& polygon, std::size_t start, int corne
   most[start] = 0;
   for (int used = 2; used <= corners; ++used) {
     for (std::size_t to = polygon.size() - 1; to > start; --to) {
-      for (std::size_t from = start; from < to; ++from) {
+      for (std::size_t from = start; from < to; ++from)
         most[to] = std::max(most[to], most[from] + cross(polygon[from], polygon[to]));
-      }
     }
   }
   double best = 0;
-  for (std::size_t end = start + 1; end < polygon.size(); ++end) {
+  for (std::size_t end = start + 1; end < polygon.size(); ++end)
     best = std::max(best, most[end] + cross(polygon[end], polygon[start]));
-  }
   return best;
 }
 
@@ -40,9 +38,8 @@ double best_convex_area(std::span<const Vec3d> points, const Vec3d& normal, int 
   if (count_of(polygon) <= max_points) return area_of(polygon);
   if (max_points < 3) return 0;
   double best = 0;
-  for (std::size_t start = 0; start < polygon.size(); ++start) {
+  for (std::size_t start = 0; start < polygon.size(); ++start)
     best = std::max(best, best_from(polygon, start, max_points));
-  }
   return 0.5 * best;
 }
 

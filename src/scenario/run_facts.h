@@ -72,9 +72,8 @@ trace::Pair patch_facts(const ScenarioPatch& patch, const PipelineSettings& sett
   trace::Manifold& manifold = pair.manifolds.emplace_back();
   manifold.normal = normal.template cast<double>();
   for (const int index : kept) manifold.points.push_back(record(index));
-  if (pair.reduction) {
+  if (pair.reduction)
     for (int i = 0; i < count_of(points); ++i) at(pair.reduction->points, i) = record(i);
-  }
   pair.separation = manifold.points.front().separation;
   for (const trace::Point& point : manifold.points)
     pair.separation = std::min(pair.separation, point.separation);

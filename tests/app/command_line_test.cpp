@@ -180,6 +180,16 @@ TEST(CommandLine, OtherSpellingsAndMissingWordsAreNamedInTheSameForm) {
   }
 }
 
+TEST(CommandLine, ATriangleNeedsAMeshThatHasIt) {
+  EXPECT_EQ(run("trace mesh/one_triangle --triangle 1").exit_code, 0);
+  for (const char* const scenario :
+       {"mesh/one_triangle --triangle 2", "hull/face_contact --triangle 0"}) {
+    const ProgramRun result = run(std::string("trace ") + scenario);
+    EXPECT_EQ(result.exit_code, 2) << scenario;
+    EXPECT_THAT(result.err, HasSubstr("has no mesh"));
+  }
+}
+
 TEST(CommandLine, AFileIsNamedWithItsEnding) {
   const TemporaryFolder folder;
   folder.write("good.toml", small_scenario());

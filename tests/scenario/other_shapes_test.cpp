@@ -232,5 +232,26 @@ TEST(OtherShapes, ASphereOnAMeshHasAManifoldForEachTriangle) {
   EXPECT_FALSE(unrecorded.pairs.at(0).tree.has_value());
 }
 
+TEST(OtherShapes, AKeyChoosesTheTriangleWhoseStagesAreRecorded) {
+  const auto scenario = [](const std::string& key, const std::string& floor) {
+    return parse_scenario("title = \"Box\"\n[pipeline]\n" + key +
+                              "[shapes.box]\ntype = \"box\"\nhalf_extents = [1, 0.5, 1]\n"
+                              "position = [0.3, 0.45, 0.2]\n[shapes.floor]\n" +
+                              floor,
+                          "hull/a.toml");
+  };
+  const std::string mesh = "type = \"mesh\"\ngrid = { size = 4, cells = 2 }\n";
+  const trace::Frame frame = Runner(scenario("triangle = 5\n", mesh)).frame(0);
+  const trace::Pair& pair = frame.pairs.at(0);
+  EXPECT_EQ(pair.triangle, 5);
+  ASSERT_TRUE(pair.clip.has_value());
+  EXPECT_EQ(pair.clip->reference.shape, "floor");
+  EXPECT_EQ(pair.clip->reference.face, 5);
+  EXPECT_THAT(scenario("triangle = 8\n", mesh).warnings,
+              ElementsAre(HasSubstr("'floor' has triangles 0 to 7")));
+  EXPECT_THAT(scenario("triangle = 0\n", "type = \"plane\"\n").warnings,
+              ElementsAre(HasSubstr("neither shape is a mesh")));
+}
+
 }  // namespace
 }  // namespace contactscope

@@ -71,8 +71,9 @@ struct PlacedShape {
   Vec3d normal(int face) const { return pose.rotate(at(mesh->normals, face)); }
   const Vec3d& vertex(int index) const { return at(vertices, index); }
   std::vector<Vec3d> polygon(int face) const;
-  /// Ends of an edge, numbered as in the trace; nothing if there is no such edge. If the shape has
-  /// a margin, the edge is the one in the trace, below the rounded surface.
+  /// Ends of an edge, numbered as in the trace, and edge k of triangle t of a mesh as 3 t + k; nothing
+  /// if there is no such edge. If the shape has a margin, the edge is the one in the trace, below the
+  /// rounded surface.
   std::optional<std::array<Vec3d, 2>> edge(int index) const;
 };
 

@@ -150,9 +150,8 @@ struct Options : PictureOptions, CheckOptions, LintOptions, CompareOptions {
   /// Indices of frames selected by --frames; all without it.
   std::vector<int> selected(int frame_count) const {
     std::vector<int> list;
-    for (int f = 0; f < frame_count; ++f) {
+    for (int f = 0; f < frame_count; ++f)
       if (!frames || frames->names(f)) list.push_back(f);
-    }
     return list;
   }
 };

@@ -83,9 +83,8 @@ template <class S> class ClearOfTriangle {
       Pack least = lanes::all(of_hull[0]), most = least;
       for (int i = 0; i < stride; i += lanes::kWidth<S>) {
         Pack pack = lanes::load(of_hull + i);
-        if (i + lanes::kWidth < S >> count) {
+        if (i + lanes::kWidth < S >> count)
           pack = lanes::each<S>([&](int lane) { return of_hull[i + lane < count ? i + lane : 0]; });
-        }
         lanes::store(pack, of_this + i);
         least = lanes::smaller(least, pack);
         most = lanes::larger(most, pack);

@@ -39,9 +39,8 @@ template <class S> [[gnu::always_inline]] inline Three<S> all_of(S value) {
 template <class S>
 inline constexpr std::array<std::array<S, 4>, 8> kVertexSigns = [] {
   std::array<std::array<S, 4>, 8> signs{};
-  for (std::size_t i = 0; i < 8; ++i) {
+  for (std::size_t i = 0; i < 8; ++i)
     for (std::size_t k = 0; k < 3; ++k) signs[i][k] = (i >> k & 1) != 0 ? S(1) : S(-1);
-  }
   return signs;
 }();
 

@@ -15,9 +15,8 @@ namespace contactscope {
 /// The largest of `count` values; `count` is a multiple of the lane width.
 template <class S> inline S largest_in_lanes(const S* values, int count) {
   lanes::Pack<S> best = lanes::all(-std::numeric_limits<S>::infinity());
-  for (int i = 0; i < count; i += lanes::kWidth<S>) {
+  for (int i = 0; i < count; i += lanes::kWidth<S>)
     best = lanes::larger(lanes::load(values + i), best);
-  }
   return lanes::largest<S>(best)[0];
 }
 
