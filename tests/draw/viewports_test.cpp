@@ -66,8 +66,8 @@ TEST(Stages, EachLayerHasItsViewportWithTheSameCamera) {
   EXPECT_EQ(part_of(crate.frames[0], contacts).poses.size(), 2u);
   const Drawing drawing = illustrate(staging, crate.frames[0]);
   EXPECT_THAT(crate_sample::texts(drawing),
-              testing::IsSupersetOf({"1  candidates: the boxes of 1 of 1 pairs overlap",
-                                     "2  contacts: 1 pair touches at 2 points"}));
+              testing::IsSupersetOf({"1  broad phase: candidates, the boxes of 1 of 1 pairs overlap",
+                                     "2  narrow phase: contacts, 1 pair touches at 2 points"}));
 }
 
 TEST(Stages, ASingleLayerIsNotDivided) {
