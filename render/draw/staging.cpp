@@ -331,7 +331,7 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     Layout made = make_layout(width, height, !view.panels.empty(), widths, count_of(insets), style,
                               plain_title(view.title.value_or(header.title)));
     // Without a picture of the scene the panels have all the room.
-    if (view.layers.empty() && !view.panels.empty())
+    if (view.layers.empty() && !view.panels.empty() && !style.follows())
       made.panels = {made.page.x, made.view.y, made.page.width, made.view.height};
     return made;
   };

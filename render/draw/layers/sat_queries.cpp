@@ -140,7 +140,8 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     if (found[k] && (!found[k]->face.empty() || !found[k]->edges.empty()))
       Column{scene, sketch, offset}.draw_best(*found[k], chosen, size);
     const Vec3d above = middle + offset + top * camera.up();
-    sketch.label(above, k == 2 && columns < 3 ? "segment × edges" : kQueryNames[k], kText, kQueryName, 0, Vec3d(-camera.up()));
+    sketch.label(above, k == 2 && columns < 3 ? "segment × edges" : kQueryNames[k], kText,
+                 kQueryName, 0, Vec3d(-camera.up()));
     std::string words = "not tested";
     if (found[k]) {
       const bool separated = found[k]->separation > 0;

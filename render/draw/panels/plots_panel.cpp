@@ -208,7 +208,10 @@ class PlotsPanel : public PanelContent {
 
   bool solved_ = false;
   // Charts that have the whole picture, without a scene next to them, are legible on a slide.
-  float zoom_ = staging_.view.layers.empty() ? 1.5f : 1.0f;
+  float zoom_ = staging_.layout.panels.width >= staging_.layout.page.width &&
+                        staging_.layout.panels.y < staging_.layout.view.bottom()
+                    ? 1.5f
+                    : 1.0f;
   std::vector<SeriesChart> charts_;
   std::vector<std::string> names_;      // of the curves
   std::vector<std::string> constants_;  // texts for quantities that never change
