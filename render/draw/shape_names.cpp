@@ -93,7 +93,11 @@ std::vector<Named> named_shapes(const Scene& scene) {
     if (std::ranges::any_of(scene.frame.pairs, says_so)) continue;
     auto known = std::ranges::find(named, words, &Named::words);
     if (known == named.end()) known = named.insert(known, Named{std::move(words), &shape});
-    (shape.is_a ? known->of_a : known->of_b) = true;
+    const auto has_it = [&](const trace::Pair& pair) {
+      return pair.a == shape.traced().name || pair.b == shape.traced().name;
+    };
+    if (std::ranges::any_of(scene.frame.pairs, has_it))
+      (shape.is_a ? known->of_a : known->of_b) = true;
     ++known->copies;
   }
   return named;

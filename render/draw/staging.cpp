@@ -328,8 +328,12 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     return fit_camera(header, extent, view, viewport, !cast.subject.empty());
   };
   const auto layout = [&](const std::vector<std::vector<float>>& widths) {
-    return make_layout(width, height, !view.panels.empty(), widths, count_of(insets), style,
-                       plain_title(view.title.value_or(header.title)));
+    Layout made = make_layout(width, height, !view.panels.empty(), widths, count_of(insets), style,
+                              plain_title(view.title.value_or(header.title)));
+    // Without a picture of the scene the panels have all the room.
+    if (view.layers.empty() && !view.panels.empty() && !style.follows())
+      made.panels = {made.page.x, made.view.y, made.page.width, made.view.height};
+    return made;
   };
   // The camera needs the view's rectangle, which needs the legend's rows, which depend on the
   // contents of the frames. Therefore the legend of all frames is made with a provisional camera.

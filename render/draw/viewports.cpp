@@ -101,11 +101,11 @@ std::string stage_heading(Layer layer, const trace::Frame& frame) {
     case Layer::Bounds:
       return "bounds: a box around each shape";
     case Layer::CandidatePairs:
-      return "candidates: the boxes of " + std::to_string(frame.pairs.size()) + " of " +
-             std::to_string(shapes * (shapes - 1) / 2) + " pairs overlap";
+      return "broad phase: candidates, the boxes of " + std::to_string(frame.pairs.size()) +
+             " of " + std::to_string(shapes * (shapes - 1) / 2) + " pairs overlap";
     case Layer::Contacts:
-      return "contacts: " + counted(touching, "pair touches", "pairs touch") + " at " +
-             counted(points, "point", "points");
+      return "narrow phase: contacts, " + counted(touching, "pair touches", "pairs touch") +
+             " at " + counted(points, "point", "points");
     case Layer::Impulses:
       return "solver: an impulse at each point";
     default:

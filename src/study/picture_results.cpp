@@ -315,13 +315,14 @@ std::string result_of_depths(Picture& plot) {
   const auto time = [&](const char* method) {
     return duration(plot.point(method).nanoseconds.min);
   };
-  const std::string epa = time("double, EPA by tolerance"), sat = time("double, SAT"),
-                    mpr = plot.share("double, MPR by tolerance");
-  plot.mark_with_name("double, EPA by tolerance", epa);
-  plot.mark_with_name("double, SAT", sat);
-  plot.mark_with_name("double, MPR by tolerance", mpr);
-  return "EPA finds the depth to rounding in " + epa + ", the separating axis test in " + sat +
-         "; MPR is off by " + mpr + " of the size";
+  const char *const sat = "double, SAT", *const epa = "double, EPA by tolerance",
+                    *const mpr = "double, MPR by tolerance", *const samples = "double, sampling";
+  for (const char* const exact : {sat, epa})
+    plot.mark_with_name(exact, time(exact) + ", to rounding");
+  for (const char* const rough : {mpr, samples})
+    plot.mark_with_name(rough, time(rough) + ", " + plot.share(rough) + " off");
+  return "SAT and EPA find the depth to rounding in " + time(sat) + " and " + time(epa) +
+         "; MPR takes " + time(mpr) + ", and is " + plot.share(mpr) + " off";
 }
 
 std::string result_of_box_path(Picture& plot) {

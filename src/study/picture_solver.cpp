@@ -48,23 +48,25 @@ std::string result_of_jitter(Picture& plot) {
 }
 
 std::string result_of_max_points(Picture& plot) {
-  const Kept& soft = plot.row.methods.front();
-  const StudySeries& line = series_of(plot.measured, soft.from);
-  const StudyPoint &four = point_at(line, 4), &all = point_at(line, 8);
-  const auto speed = [](const StudyPoint& point) {
-    return number(1000 * error_of(point)) + " mm/s";
-  };
-  const auto cost = [](const StudyPoint& point) {
-    return number(point.nanoseconds.median / 1000) + " µs";
-  };
-  const std::string still = plot.mark(soft.from, speed(four));
-  for (StudySeries& drawn : plot.lines)
-    for (StudyPoint& point : drawn.points)
-      if (drawn.method == soft.to)
-        point.mark = (point.parameter == 4 ? still + ", " : std::string()) + cost(point);
-  return "Four points take " + percent(four.nanoseconds.median / all.nanoseconds.median) +
-         " of the time of all eight: a stack on " + soft.to + " moves at " + still + ", at " +
-         speed(all) + " with all";
+  const StudySeries& line = series_of(plot.measured, plot.row.methods.front().from);
+  const auto speed = [&](double points) { return number(1000 * error_at(line, points)) + " mm/s"; };
+  const auto is_one = [](const StudyPoint& point) { return point.parameter == 1; };
+  StudySeries one = plot.lines.front();
+  one.method = "1 point";
+  std::erase_if(one.points, std::not_fn(is_one));
+  // Tables contain the numbers between.
+  plot.drop_points([&](const StudyPoint& point) {
+    return is_one(point) || !std::has_single_bit(static_cast<unsigned>(point.parameter));
+  });
+  plot.lines.front().method.clear();
+  for (StudyPoint& point : plot.lines.front().points)
+    point.mark = number(point.parameter) + " points";
+  plot.lines.push_back(std::move(one));
+  each_point(plot.drawn, [](StudyPoint& point) {
+    point.parameter = std::round(point.nanoseconds.median / 1000);
+  });
+  return "More points cost more time and steady a stack: on one it falls, on four it moves at " +
+         speed(4) + ", on eight at " + speed(8);
 }
 
 std::string result_of_ratios(Picture& plot) {

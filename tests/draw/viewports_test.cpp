@@ -65,9 +65,10 @@ TEST(Stages, EachLayerHasItsViewportWithTheSameCamera) {
   EXPECT_NEAR(of_first.y - candidates.frame.y, of_second.y - contacts.frame.y, 1e-2);
   EXPECT_EQ(part_of(crate.frames[0], contacts).poses.size(), 2u);
   const Drawing drawing = illustrate(staging, crate.frames[0]);
-  EXPECT_THAT(crate_sample::texts(drawing),
-              testing::IsSupersetOf({"1  candidates: the boxes of 1 of 1 pairs overlap",
-                                     "2  contacts: 1 pair touches at 2 points"}));
+  EXPECT_THAT(
+      crate_sample::texts(drawing),
+      testing::IsSupersetOf({"1  broad phase: candidates, the boxes of 1 of 1 pairs overlap",
+                             "2  narrow phase: contacts, 1 pair touches at 2 points"}));
 }
 
 TEST(Stages, ASingleLayerIsNotDivided) {

@@ -240,10 +240,11 @@ struct Curves : Pen {
           lines[i].points.push_back(place(point));
           if (!point.mark.empty()) lines[i].marks.push_back({place(point), point.mark});
         }
-    if (naming == Naming::None) name_near({}, {}, lines, area, *this);
+    const Rect values{area.x, top, area.width, bottom - top};
+    if (naming == Naming::None) name_near({}, {}, lines, values, *this);
     if (names_signal) name_signal(panel, x, y);
-    if (naming == Naming::SideLabel) name_at_side(lines, area, *this);
-    if (naming == Naming::Inside) name_inside(lines, area, *this);
+    if (naming == Naming::SideLabel) name_at_side(lines, values, *this);
+    if (naming == Naming::Inside) name_inside(lines, values, *this);
     if (is_over_time) return;
     float row = above + px(2 + 0.5 * kFailureRow);
     for (const trace::StudySeries* series : panel.series)

@@ -45,6 +45,7 @@ struct ChartPen : Pen {
          static_cast<float>(area.y)};
   Prefix prefix = axis_prefix(chart.unit, std::max(chart.high, -chart.low));
   std::size_t frames = chart.curves.empty() ? 0 : chart.curves.front().size();
+  bool is_wide = area.width > px(14) * static_cast<float>(frames) && frames > 40;
 
   void run() const {
     if (frames == 0) return;
@@ -124,6 +125,7 @@ struct ChartPen : Pen {
         points.push_back({middle, points.back().y});
         points.push_back({middle, at.y});
       }
+      if (is_wide) disc(at, 2.4, style.color);  // each frame
       points.push_back(at);
     }
     finish();

@@ -116,11 +116,13 @@ struct ChoicePen : Pen {
     const Color color = winner ? kContact : kDropped;
     const bool by_distance = rule == "distance";
     const bool grows = rule == "outside" || by_distance;
+    const double area = winding * measure.value;  // of a triangle, signed
     // The talk's measures are negative outside. A point inside all edges adds nothing.
     if (grows && !(measure.value < 0)) return;
     const std::string value = rule == "farthest"                 ? spell_length(measure.value)
                               : rule == "deepest" || by_distance ? spell_length(-measure.value)
-                              : rule == "triangle"     ? signed_area(winding * measure.value)
+                              : rule == "triangle"
+                                  ? signed_area(area) + (area < 0 ? ", clockwise" : "")
                               : rule == "equally_deep" ? spell_area(std::abs(measure.value))
                                                        : spell_area(-measure.value);
     if (grows && winner) return outside(measure, value, by_distance);
@@ -172,15 +174,17 @@ struct ChoicePen : Pen {
     };
     const Vec2d corners[3] = {on_plane(0), on_plane(1), on_plane(2)}, point = on_plane(3);
     const double twice = contactscope::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    std::vector<Row> rows{{"edge", "area", "barycentric", ""}};
+    std::vector<Row> rows{{"edge", "area", "barycentric", "−: clockwise"}};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2d &from = corners[k], &to = corners[(k + 1) % 3];
-      const double share = contactscope::cross(to - from, point - from) / twice;
-      const double area = 0.5 * share * std::abs(twice);
+      // Along the edges counter-clockwise, as seen.
+      const std::size_t next = (k + 1) % 3, first = twice > 0 ? k : next, last = k + next - first;
+      const Vec2d &from = corners[first], &to = corners[last];
+      const double area = 0.5 * contactscope::cross(to - from, point - from);
+      const double share = 2 * area / std::abs(twice);
       if (share < 0)
         stroke(place(kept[(k + 2) % 3]), place(kept[3]), 1.2, with_alpha(kShapeEdge, 0.6f), 6);
-      rows.push_back({std::to_string(k + 1) + "–" + std::to_string((k + 1) % 3 + 1),
-                      signed_area(area), (share > 0 ? "+" : "") + spell_number(share, 3),
+      rows.push_back({std::to_string(first + 1) + "–" + std::to_string(last + 1), signed_area(area),
+                      (share > 0 ? "+" : "") + spell_number(share, 3),
                       share > 0 ? "inside: skipped" : "outside: added"});
     }
     const Pen table_pen(drawing(), scale(), kTableText);

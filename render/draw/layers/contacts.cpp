@@ -338,9 +338,34 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 
 // With more crosses than this the polygon would be hidden.
 constexpr std::size_t kCrowd = 24;
+constexpr std::size_t kMaxNamedManifolds = 6;
+
+constexpr Swatch kManifoldSwatch{LegendGroup::Points, 13,
+                                 [](auto& pen) { pen.area(kContact, kKeptFill, 2); }};
+
+// Gregorius 2015, "Mesh Contact": each triangle's manifold is outlined and named.
+void draw_manifolds(const trace::Pair& pair, Sketch& sketch) {
+  int number = 0;
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    trace::Reduction all;
+    all.points = manifold.points;
+    all.kept.resize(all.points.size());
+    std::iota(all.kept.begin(), all.kept.end(), 0);
+    const std::vector<Vec3d> corners = kept_polygon(all, manifold.normal);
+    ++number;
+    if (corners.size() < 3) continue;
+    sketch.face(corners, with_alpha(kContact, kKeptFill), {2.0f, kContact});
+    sketch.label(mean_of(corners), "manifold " + std::to_string(number), kContact, 17, 0);
+    sketch.explain(kManifoldSwatch, "area of a triangle's manifold");
+  }
+}
 
 // Gregorius 2015, "Contact Point Reduction": for a pair with one manifold that was reduced.
 void draw_reduced(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
+  const auto has_triangle = [](const trace::Manifold& each) { return each.triangle.has_value(); };
+  const std::size_t count = pair.manifolds.size();
+  if (count > 1 && count <= kMaxNamedManifolds && std::ranges::all_of(pair.manifolds, has_triangle))
+    draw_manifolds(pair, sketch);
   if (pair.manifolds.size() != 1 || pair.manifolds.front().points.empty() || !pair.reduction)
     return;
   const std::vector<trace::Point>& points = pair.reduction->points;

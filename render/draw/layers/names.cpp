@@ -8,7 +8,8 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kSmallName = 13;  // pixels, with many shapes
+constexpr float kSmallName = 13, kLargeName = 20;  // pixels, with many shapes
+constexpr double kFromBar = 8;                     // pixels
 
 // Shapes larger than the picture, such as the ground, are named at their nearest corner.
 Vec3d nearest_corner(const Camera& camera, const std::vector<Vec3d>& corners) {
@@ -30,16 +31,39 @@ Vec3d place_of(const Camera& camera, const PlacedShape& shape) {
   return box_around(shape.vertices).center();
 }
 
-// Among many shapes only those in contact are named, which titles and panels mention. In a heap only
-// the pair that stands out has names; see draw_crowd().
+// A bar is named on its far side, as a column or row of a table; other shapes in their middle.
+std::optional<Vec3d> beside_bar(const PlacedShape& shape, const Vec3d& center) {
+  constexpr double kThin = 0.1;  // share of the length
+  const Eigen::AlignedBox3d box = box_around(shape.vertices);
+  Eigen::Index along = 0;
+  const double length = box.sizes().maxCoeff(&along);
+  const Vec3d across = box.sizes() - length * Vec3d::Unit(along);
+  if (shape.is_mesh() || across.maxCoeff() > kThin * length) return std::nullopt;
+  Vec3d out = box.center() - center;
+  out[along] = 0;
+  return out;
+}
+
+// Among many shapes only those in contact are named, which titles and panels mention, and larger
+// those that no pair has, such as the heads of a table. In a heap only the pair that stands out has
+// names; see draw_crowd().
 void draw_names(const Scene& scene, Sketch& sketch) {
   constexpr std::size_t kMaxNames = 12;
   if (scene.scales.heap) return;
+  const bool many = scene.shapes.size() > kMaxNames;
   const std::vector<bool> touches = shapes_in_contact(scene.meshes, scene.frame);
-  for (const PlacedShape& shape : scene.shapes)
-    if (in_view(scene.camera, shape) && (scene.shapes.size() <= kMaxNames || touches[shape.place]))
-      sketch.label(place_of(scene.camera, shape), shape.traced().name, kText,
-                   scene.shapes.size() > 8 ? kSmallName : 16, 0);
+  for (const PlacedShape& shape : scene.shapes) {
+    const std::string& name = shape.traced().name;
+    const auto has = [&](const trace::Pair& pair) { return pair.a == name || pair.b == name; };
+    const bool is_alone =
+        many && !scene.frame.broad_phase && std::ranges::none_of(scene.frame.pairs, has);
+    if (!in_view(scene.camera, shape) || (many && !touches[shape.place] && !is_alone)) continue;
+    const float size = is_alone ? kLargeName : scene.shapes.size() > 8 ? kSmallName : 16;
+    std::optional<Vec3d> out = is_alone ? beside_bar(shape, sketch.center) : std::nullopt;
+    const double gap = out ? kFromBar : 0;
+    if (is_alone && !out) out = scene.camera.up();  // centred
+    sketch.label(place_of(scene.camera, shape), name, kText, size, gap, out);
+  }
 }
 
 // More names would not be readable.

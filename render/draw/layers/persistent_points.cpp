@@ -78,8 +78,14 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
                    from);
   }
   if (state == PointState::Broken) {
-    sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why", at);
-    sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at, kContact);
+    if (point.reason == "too close") {
+      sketch.explain(kDroppedSwatch, "new point, not added", at);
+      sketch.mark(MarkKind::Cross, at, kDropped);
+    } else {
+      sketch.explain(kStateSwatch<PointState::Broken>, "taken out, and why", at);
+      sketch.mark(is_covered(scene, pair, at) ? MarkKind::WideRing : MarkKind::Hollow, at,
+                  kContact);
+    }
     sketch.label(at, reported_reason(scene, pair, point), kDropped, 16, 12);
     if (point.reason == "replaced" || point.reason == "too close")
       lead_to_successor(scene, pair, point, sketch);

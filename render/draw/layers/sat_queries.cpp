@@ -5,7 +5,8 @@
 #include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": the three queries next to each other,
-/// each with its own copy of the shapes. For each the best axis: the plane of the face, extended,
+/// each with its own copy of the shapes; "Capsule vs Hull: Deep Penetration": the two of a hull and
+/// the segment of a capsule, which has no faces. For each the best axis: the plane of the face, extended,
 /// and the parallel plane through the support point, or the plane of two edges; and the separation.
 /// With a parallel projection all columns show the same view of the shapes.
 namespace contactscope::draw {
@@ -121,12 +122,17 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
   const std::optional<Point2> at = camera.project(middle);
   if (!at) return;
   const double top = (at->y - view.y) / pixels - 0.7 * kQueryName * scene.scales.pixel / pixels;
+  const auto is_round = [](const PlacedShape* shape) { return shape->traced().radius > 0; };
+  const double columns = is_round(a) || is_round(b) ? 2 : 3;
+  double left = view.x;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    const double column = view.x + (static_cast<double>(k) + 0.5) * view.width / 3;
-    const Vec3d offset = (column - at->x) / pixels * camera.right();
+    if (k < 2 && is_round(k == 0 ? a : b)) continue;
+    const Vec3d offset = (left + 0.5 * view.width / columns - at->x) / pixels * camera.right();
+    left += view.width / columns;
     for (const PlacedShape* shape : {a, b})
-      draw_solid(camera, moved(*shape, Vec3d::Zero(), offset, Vec3d::Zero()),
-                 shape->is_a ? kShapeA : kShapeB, sketch);
+      (is_round(shape) ? draw_round : draw_solid)(
+          camera, moved(*shape, Vec3d::Zero(), offset, Vec3d::Zero()),
+          shape->is_a ? kShapeA : kShapeB, sketch);
     for (const PlacedShape* shape : {a, b})
       sketch.label(center_of(shape->vertices) + offset, shape->is_a ? "A" : "B", kText, kShapeName,
                    0);
@@ -134,7 +140,8 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
     if (found[k] && (!found[k]->face.empty() || !found[k]->edges.empty()))
       Column{scene, sketch, offset}.draw_best(*found[k], chosen, size);
     const Vec3d above = middle + offset + top * camera.up();
-    sketch.label(above, kQueryNames[k], kText, kQueryName, 0, Vec3d(-camera.up()));
+    sketch.label(above, k == 2 && columns < 3 ? "segment × edges" : kQueryNames[k], kText,
+                 kQueryName, 0, Vec3d(-camera.up()));
     std::string words = "not tested";
     if (found[k]) {
       const bool separated = found[k]->separation > 0;

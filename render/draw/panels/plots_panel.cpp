@@ -44,14 +44,15 @@ class PlotsPanel : public PanelContent {
     // Without the strip, the panel ends with its charts.
     const bool has_strip = staging_.view.shows(Chart::Ids) || staging_.view.shows(Chart::Points);
     const float wanted = least + layout.px(charts * kMaxPlot - kMinPlot + kBelowCharts);
-    return {least, good, has_strip ? 0 : std::max(good, wanted), 2};
+    return {least, good, has_strip || zoom_ > 1 ? 0 : std::max(good, wanted), 2};
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     if (!is_gathered_) gather();
+    sheet.enlarge(zoom_);
     sheet.heading("over time");
     if (charts_.empty()) return {};
-    const Pen pen(sheet.pen().drawing(), sheet.pen().scale(), kChartText);
+    const Pen pen(sheet.pen().drawing(), zoom_ * sheet.pen().scale(), kChartText);
     const Rect rect = sheet.rest();
     const double line = sheet.line_height();
     const double named = draw_names(rect, pen);
@@ -65,8 +66,8 @@ class PlotsPanel : public PanelContent {
       const double fitting = std::max(0.0, room - strip) / pen.px(kMinPlot);
       shown = std::clamp<std::size_t>(static_cast<std::size_t>(fitting), 1, charts_.size());
     }
-    const double height =
-        std::min<double>(pen.px(kMaxPlot), (room - strip) / static_cast<double>(shown));
+    const double share = (room - strip) / static_cast<double>(shown);
+    const double height = zoom_ > 1 ? share : std::min<double>(pen.px(kMaxPlot), share);
     double y = rect.y + named;
     for (std::size_t i = 0; i < shown; ++i, y += height)
       draw_series_chart(charts_[i], moment.frame, {rect.x, y, rect.width, height}, pen);
@@ -206,6 +207,11 @@ class PlotsPanel : public PanelContent {
   }
 
   bool solved_ = false;
+  // Charts that have the whole picture, without a scene next to them, are legible on a slide.
+  float zoom_ = staging_.layout.panels.width >= staging_.layout.page.width &&
+                        staging_.layout.panels.y < staging_.layout.view.bottom()
+                    ? 1.5f
+                    : 1.0f;
   std::vector<SeriesChart> charts_;
   std::vector<std::string> names_;      // of the curves
   std::vector<std::string> constants_;  // texts for quantities that never change

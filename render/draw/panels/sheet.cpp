@@ -55,7 +55,8 @@ Sheet::Sheet(const Rect& rect, float scale, Drawing& drawing)
 void Sheet::skip(float pixels) { y_ = std::floor(y_ + pixels + spacing_); }
 
 void Sheet::heading(const std::string& text) {
-  const float scale = pen_.scale(), size = whole_size(kHeadingSize, scale);
+  const float scale = pen_.scale();
+  const float size = std::round(kHeadingSize / kTextSize * text_);
   const auto left = static_cast<float>(rect_.x), width = static_cast<float>(rect_.width);
   pen_.text(pen_.fitted(text, Weight::Bold, width, size / scale),
             {left, baseline_below(y_, size, Weight::Bold)}, Align::Left, kText, Weight::Bold,
