@@ -21,13 +21,14 @@ int steps_of(const MinkowskiDifference<float>& difference, bool has_tolerances) 
     const Vec3f direction = nearest.direction.normalized();
     const Vec3f point = difference.point(difference.support_against(direction));
     float gain = std::numeric_limits<float>::infinity();
-    for (int i = 0; i < nearest.count; ++i)
-      gain = std::min(gain, direction.dot(at(points, i) - point));
+    const auto count = static_cast<std::size_t>(nearest.count);
+    for (std::size_t i = 0; i < count; ++i) gain = std::min(gain, direction.dot(points[i] - point));
     if (!(gain > tie_tolerance(scale))) return step;
-    at(points, nearest.count) = point;
+    points[count] = point;
     nearest_on_simplex(points, nearest.count + 1, scale, nearest);
-    for (int i = 0; i < nearest.count; ++i) at(points, i) = at(points, at(nearest.kept, i));
     if (nearest.count == 4) return step;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.count); ++i)
+      points[i] = points[static_cast<std::size_t>(nearest.kept[i])];
   }
   return kMaxGjkIterations;
 }
