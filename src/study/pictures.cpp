@@ -250,12 +250,11 @@ const std::vector<PictureRow>& picture_rows() {
           }),
 
       row("box_path", "time", kAll, kAll, "", "",
-          "Up: nanoseconds of a contact of two prisms, one standing on the other, in float",
-          {.at = 8, .drop_worst = true},
-          &result_of_box_path),
+          "Up: nanoseconds of a contact of two boxes. The cost: a second code of the same test",
+          {.at = 10, .drop_worst = true}, &result_of_box_path),
       row("bounding_trees", "", kAll, kAll, "", "",
-          "Up: {error}, a ball within another one; the names have the bytes of a volume",
-          {.at = 30, .drop_worst = true}, &result_of_trees),
+          "Up: {error}, a ball within another one. k-DOP: space between k planes of fixed directions",
+          {.drop_worst = true}, &result_of_trees),
 
       row("overlap", "false_positives", kBounds, kAll, "length of the boxes / their width", kShare,
           "Up: of the pairs that a bound lets through, the share that is apart. Rods: 10 times as "

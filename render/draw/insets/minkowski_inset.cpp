@@ -19,6 +19,8 @@ constexpr Swatch kSimplexLineSwatch{LegendGroup::Differences, 1,
                                     [](auto& pen) { pen.level_line(0, 22, 2.5, kClipPolygon); }};
 constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2,
                                  [](auto& pen) { pen.area(kPolytope, 0.06f, 1.2); }};
+constexpr Swatch kSeenFaceSwatch{LegendGroup::Differences, 4,
+                                 [](auto& pen) { pen.area(kPolytope, 0.2f, 1.2); }};
 constexpr Swatch kNearestFaceSwatch{LegendGroup::Differences, 3,
                                     [](auto& pen) { pen.area(kPolytope, 0.35f, 2.5); }};
 
@@ -84,7 +86,8 @@ struct DifferencePen {
 
   /// The next support point: searched from `from` along the unit direction `search`. A dashed line
   /// through it, perpendicular to that direction, has the whole difference on one side.
-  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& search) const {
+  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& search,
+            const std::string& gain = "") const {
     if (!step.next) return;
     const Vec3d at = difference(*step.next);
     const Vec3d along = search.cross(camera.to_eye(at)).normalized();
@@ -100,7 +103,7 @@ struct DifferencePen {
                 at + (std::max(shift, 0.0) + reach) * along, {1.5f, kText, true});
     sketch.explain(kFarthestSwatch, "no point lies beyond");
     sketch.mark(MarkKind::Hollow, at, step_color(step));
-    sketch.label(at, "next point", step_color(step), 16, 12);
+    sketch.label(at, "next point" + gain, step_color(step), 16, 12);
   }
 
   /// Draws all edges and triangles of a simplex.
@@ -124,7 +127,11 @@ struct DifferencePen {
       sketch.explain(kSimplexLineSwatch, "simplex");
     if (mpr) return;
     const Vec3d nearest = nearest_to_origin(points);
-    if (nearest.norm() > smallest) next(step, Vec3d::Zero(), -nearest.normalized());
+    const Vec3d search = -nearest.normalized();
+    const double gain = step.next ? search.dot(difference(*step.next) - nearest) : size;
+    if (nearest.norm() > smallest)
+      next(step, Vec3d::Zero(), search,
+           gain < 1e-3 * size ? ", " + spell_length(gain) + " nearer" : "");
     distance(nearest, nearest.norm(), step.last() ? "gap " : "");
     if (nearest.norm() > smallest) sketch.explain(kAxisSwatch, "nearest point, its distance");
   }
@@ -138,7 +145,11 @@ struct DifferencePen {
     std::set<std::pair<int, int>> edges;
     std::set<int> corners;  // of faces: other vertices are inside by now
     for (const std::array<int, 3>& face : polytope.faces) {
-      sketch.surfaces.push_back({triangle_of(face), with_alpha(kPolytope, 0.06f)});
+      const std::vector<Vec3d> corner = triangle_of(face);
+      const Vec3d normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
+      const bool seen = step.next && normal.dot(difference(*step.next) - corner[0]) > -smallest;
+      sketch.surfaces.push_back({corner, with_alpha(kPolytope, seen ? 0.2f : 0.06f)});
+      if (seen) sketch.explain(kSeenFaceSwatch, "seen by the next point: replaced");
       for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
       corners.insert(face.begin(), face.end());
     }

@@ -13,6 +13,7 @@ constexpr Swatch kCandidatePairSwatch{LegendGroup::Trees, 9, [](auto& pen) {
                                         for (const double at : {3.0, 19.0})
                                           pen.disc(pen.at(at), 4, kBox);
                                       }};
+constexpr Swatch kNearMissSwatch{LegendGroup::Trees, 10, [](auto& pen) { pen.dashes(3, kBox); }};
 
 Vec3d middle_of(const PlacedShape& shape) {
   return shape.pose.transform(shape.traced().center_of_mass);
@@ -37,9 +38,12 @@ void draw_candidate_pair(const Scene& scene, const trace::Pair& pair, Sketch& sk
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
   if (a == nullptr || b == nullptr) return;
   const Vec3d from = end_at(*a, *b), to = end_at(*b, *a);
-  sketch.bordered_line(from, to, {3.0f, kBox}, 5.5f);
+  const bool missed = scene.shows(Layer::Contacts) && pair.state != "touching";
+  sketch.bordered_line(from, to, {3.0f, kBox, missed}, 5.5f);
   for (const Vec3d& end : {from, to}) sketch.mark(MarkKind::Node, end, kBox);
-  sketch.explain(kCandidatePairSwatch, "pair for the narrow phase", 0.5 * (from + to));
+  sketch.explain(missed ? kNearMissSwatch : kCandidatePairSwatch,
+                 missed ? "near miss: only the boxes overlap" : "pair for the narrow phase",
+                 0.5 * (from + to));
 }
 
 }  // namespace

@@ -284,18 +284,10 @@ Vec3d leftmost_of(const trace::Pair& pair, const Vec3d& left) {
   return std::ranges::max_element(points, {}, how_far)->point->position;
 }
 
-/// Whether layer Core writes the pair's overlap, in its sum of radii or of margins.
+/// Whether layer Core writes the pair's overlap, in its sum of margins.
 bool is_in_sum(const Scene& scene, const trace::Pair& pair) {
-  if (!scene.shows(Layer::Core) || pair.query) return false;
-  const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
-  if (a == nullptr || b == nullptr) return false;
-  if (pair.incremental)
-    return pair.gjk && pair.gjk->distance > 0 &&
-           pair.incremental->margin_a + pair.incremental->margin_b > 0;
-  const auto is_in = [](const PlacedShape& shape) {
-    return !shape.is_mesh() && !shape.traced().half_space;
-  };
-  return is_in(*a) && is_in(*b) && (a->traced().radius > 0 || b->traced().radius > 0);
+  return scene.shows(Layer::Core) && pair.incremental && pair.gjk && pair.gjk->distance > 0 &&
+         pair.incremental->margin_a + pair.incremental->margin_b > 0;
 }
 
 /// Labels the pair's overlap at its deepest point.

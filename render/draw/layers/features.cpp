@@ -108,12 +108,40 @@ constexpr Swatch kWalkSwatch{LegendGroup::Faces, 7, [](auto& pen) {
                                pen.dot(0, 3.5, kDropped);
                              }};
 
+constexpr Color kRegion = with_alpha(kMargin, 0.10f);
+constexpr LineStyle kRegionBorder{1.2f, with_alpha(kMargin, 0.8f), true};
+constexpr Swatch kRegionSwatch{LegendGroup::Faces, 8,
+                               [](auto& pen) { pen.box(kRegion, kRegionBorder.color, 1); }};
+
+/// The Voronoi region of a feature with these corners, between the normals of the faces that meet
+/// there. Mirtich 1998, section 2.1.
+void draw_region(const PlacedShape& shape, const std::vector<Vec3d>& corners, Sketch& sketch) {
+  std::vector<Vec3d> out;  // its edges, as long as the shape: it has no end
+  for (int face = 0; face < count_of(shape.mesh->normals); ++face) {
+    const std::vector<Vec3d> polygon = shape.polygon(face);
+    const auto is_on = [&](const Vec3d& corner) { return std::ranges::count(polygon, corner) > 0; };
+    if (std::ranges::all_of(corners, is_on))
+      out.push_back(0.6 * shape.mesh->radius * shape.normal(face));
+  }
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    for (std::size_t i = 0; i < (corners.size() > 2 ? corners.size() : corners.size() - 1); ++i) {
+      const Vec3d &from = corners[i], &to = corners[(i + 1) % corners.size()];
+      sketch.face({from, to, to + out[k], from + out[k]}, kRegion, kRegionBorder);
+    }
+    for (std::size_t other = 0; other < k; ++other)  // at a corner of three faces all are adjacent
+      for (const Vec3d& corner : corners)
+        sketch.face({corner, corner + out[k], corner + out[other]}, kRegion, kRegionBorder);
+  }
+  sketch.explain(kRegionSwatch, "Voronoi region of A's feature: no other is nearer");
+}
+
 /// The features that V-Clip compares in this frame, and the path over the middles of those before.
 void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const std::vector<trace::WalkStep>& walk = pair.query->walk;
   const int last = count_of(walk) - 1;
   const bool story = scene.view.story == Story::WalkSteps;
   const int shown = story ? std::clamp(scene.frame.frame, 0, last) : last;
+  std::vector<Vec3d> ends;  // of the distance, if two corners are compared
   for (const bool of_a : {true, false}) {
     const PlacedShape* shape = scene.find(of_a ? pair.a : pair.b);
     if (shape == nullptr) continue;
@@ -129,19 +157,25 @@ void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       if (k < shown) sketch.mark(MarkKind::Node, middle, kDropped);
       before = middle;
     }
-    if (corners.size() == 1) sketch.mark(MarkKind::WideRing, corners[0], kIncidentFace);
+    if (of_a) draw_region(*shape, corners, sketch);
+    if (corners.size() == 1) {
+      sketch.mark(MarkKind::WideRing, corners[0], kIncidentFace);
+      ends.push_back(corners[0]);
+    }
     if (corners.size() == 2) sketch.line(corners[0], corners[1], {6, kIncidentFace});
     if (corners.size() > 2)
       sketch.face(corners, with_alpha(kIncidentFace, 0.35f), {5, kIncidentFace});
   }
-  sketch.explain(kTouchingFeatureSwatch, shown < last
-                                             ? "features that are compared, " +
-                                                   spell_length(at(walk, shown).distance) + " apart"
-                                             : "closest features");
+  sketch.explain(kTouchingFeatureSwatch,
+                 shown < last
+                     ? "features that are compared, " +
+                           spell_length(at(walk, shown).distance, 0, scene.scales.length) + " apart"
+                     : "closest features");
   if (shown > 0) sketch.explain(kWalkSwatch, "middles of the features before");
   const trace::Query& query = *pair.query;
-  if (shown == last && query.gap && query.point_a && query.point_b)
-    draw_gap(scene, *query.point_a, *query.point_b, *query.gap, scene.noise(pair), 16,
+  if (shown == last && query.point_a && query.point_b) ends = {*query.point_a, *query.point_b};
+  if (ends.size() == 2)
+    draw_gap(scene, ends[0], ends[1], (ends[1] - ends[0]).norm(), scene.noise(pair), 16,
              scene.camera.right(), sketch);
 }
 

@@ -203,7 +203,7 @@ void draw_sweep(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     last = step.safe;
     draw_at(step.safe, kSkin);
     number_skins(step.safe, i + 2);
-    sketch.explain(kSkinSwatch, "a step of the search: apart for certain until then");
+    sketch.explain(kSkinSwatch, "an iteration: apart for certain until then");
   }
   // If shapes still overlap at the end, a discrete engine would see it too: nothing is missed.
   const bool is_seen_anyway =

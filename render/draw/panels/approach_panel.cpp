@@ -36,8 +36,8 @@ class ApproachPanel : public PanelContent {
       return {};
     }
     const trace::Impact& impact = *pair->impact;
-    sheet.row("method",
-              in_words(impact.method) + ", " + counted(impact.steps.size(), "step", "steps"));
+    sheet.row("method", in_words(impact.method) + ", " +
+                            counted(impact.steps.size(), "iteration", "iterations"));
     sheet.row("answer", in_words(impact.status) +
                             (impact.status == "hit"
                                  ? ", at " + printed("%.1f", 100 * impact.time) + " % of the step"

@@ -295,6 +295,7 @@ struct RadiiSketch {
 
   void draw(const std::vector<Cores>& all) {
     if (is_pill(a) && is_pill(b) && all.size() == 2) shared_stretch(all[0], all[1]);
+    const bool brief = scene.shows(Layer::Overlap);  // which writes the overlap instead
     bool first = true;
     for (const Cores& at : all) {
       // If both points coincide, the spheres are concentric and show nothing that the radii do not.
@@ -307,11 +308,11 @@ struct RadiiSketch {
       const bool end_on = across.norm() < 0.2;
       const Vec3d right = end_on ? scene.camera.right() : Vec3d(across.normalized());
       if (!(at.b - at.a).isZero(1e-9)) sketch.line(at.a, at.b, {1.6f, kAxisText, true});
-      if (first) sum(at, right);  // before the lengths, which then avoid its leader
+      if (first && !brief) sum(at, right);  // before the lengths, which then avoid its leader
       // For crossing axes the normal is the subject; the sum names the radii.
       const bool axes_meet = degenerate == "crossing axes" && all.size() == 1;
       if (axes_meet) cross_product(at, right);
-      if (first && !end_on && !axes_meet) {
+      if (first && !end_on && !axes_meet && !brief) {
         radius(at.a, radius_a * at.normal, right, 1);
         radius(at.b, -radius_b * at.normal, right, radius_a > 0 ? 2 : 1);
       }
@@ -320,7 +321,7 @@ struct RadiiSketch {
       core(b, at.b, aside, first && !degenerate, clearance);
       if (first && degenerate)
         sketch.label(at.b, *degenerate, kText, kCoreSize, 14, -right - at.normal).bold = false;
-      if (first) {
+      if (first && !brief) {
         const double gap = (at.b - at.a).dot(at.normal);
         const std::string distance =
             millimetres(std::abs(gap), std::abs(gap)) + " mm " + stands(gap);
