@@ -300,6 +300,15 @@ TEST(PlotsPanel, ChartsHaveUnitsTheNewestValueAndARoundTick) {
   for (std::size_t f = 0; f < 5; ++f) plots_panel(f);  // stays inside
 }
 
+TEST(PlotsPanel, AClockThatIsResetIsNoAxis) {
+  std::vector<trace::Frame> frames = settling();
+  EXPECT_THAT(texts(panel_of(Panel::Plots, frames, 2)), Contains("time"));
+  frames.back().time = 0;
+  const std::vector<std::string> all = texts(panel_of(Panel::Plots, frames, 2));
+  EXPECT_THAT(all, Not(Contains("time")));
+  EXPECT_THAT(all, Contains("frame " + std::to_string(frames.back().frame)));
+}
+
 TEST(PlotsPanel, AConstantSeriesIsALineOfWords) {
   std::vector<trace::Frame> frames = settling();
   frames.erase(frames.begin());  // in the air

@@ -241,7 +241,8 @@ TEST(OtherShapes, AKeyChoosesTheTriangleWhoseStagesAreRecorded) {
                           "hull/a.toml");
   };
   const std::string mesh = "type = \"mesh\"\ngrid = { size = 4, cells = 2 }\n";
-  const trace::Frame frame = Runner(scenario("triangle = 5\n", mesh)).frame(0);
+  const Scenario chosen = scenario("triangle = 5\n", mesh);
+  const trace::Frame frame = Runner(chosen).frame(0);
   const trace::Pair& pair = frame.pairs.at(0);
   EXPECT_EQ(pair.triangle, 5);
   ASSERT_TRUE(pair.clip.has_value());
@@ -249,7 +250,7 @@ TEST(OtherShapes, AKeyChoosesTheTriangleWhoseStagesAreRecorded) {
   EXPECT_EQ(pair.clip->reference.face, 5);
   EXPECT_THAT(scenario("triangle = 8\n", mesh).warnings,
               ElementsAre(HasSubstr("'floor' has triangles 0 to 7")));
-  EXPECT_THAT(scenario("triangle = 0\n", "type = \"plane\"\n").warnings,
+  EXPECT_THAT(scenario("triangle = 0\n", "type = \"plane\"\nnormal = [0, 1, 0]\n").warnings,
               ElementsAre(HasSubstr("neither shape is a mesh")));
 }
 

@@ -181,10 +181,16 @@ void draw_time_axis(const std::vector<trace::Frame>& frames, double left, double
   const auto at = [&](const std::string& what, double share, Align align) {
     pen.text(what, pixel(left + share * width, baseline), align, kQuietText);
   };
-  const double first = frames.front().time;
-  at(first == 0 ? "0" : spell_quantity(first, "s"), 0, Align::Left);
-  at("time", 0.5, Align::Center);
-  at(spell_quantity(frames.back().time, "s"), 1, Align::Right);
+  // An engine may reset its clock.
+  const bool rises =
+      std::ranges::adjacent_find(frames, std::greater_equal(), &trace::Frame::time) == frames.end();
+  const auto end = [&](const trace::Frame& frame) {
+    if (!rises) return "frame " + std::to_string(frame.frame);
+    return frame.time == 0 ? "0" : spell_quantity(frame.time, "s");
+  };
+  at(end(frames.front()), 0, Align::Left);
+  at(rises ? "time" : "frames", 0.5, Align::Center);
+  at(end(frames.back()), 1, Align::Right);
 }
 
 IdHistory::IdHistory(const std::vector<std::vector<IdState>>& rows,

@@ -53,7 +53,8 @@ void draw_series_swatch(std::size_t index, const Point2& left, double length, co
 /// Vertical line at a frame, slightly higher than the chart.
 void draw_moment(const Rect& chart, std::size_t frames, std::size_t moment, const Pen& pen);
 
-/// Below charts of a whole sequence: the times of its first and last frame, and "time".
+/// Below charts of a whole sequence: the times of its first and last frame, and "time"; or their
+/// numbers, if a time does not increase.
 void draw_time_axis(const std::vector<trace::Frame>& frames, double left, double width,
                     double baseline, const Pen& pen);
 

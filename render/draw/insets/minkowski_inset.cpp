@@ -84,8 +84,9 @@ struct DifferencePen {
     }
   }
 
-  /// The next support point: searched from `from` along the unit direction `search`. A dashed line
-  /// through it, perpendicular to that direction, has the whole difference on one side.
+  /// The next support point: searched from `from` along the unit direction `search`. The plane through
+  /// it, perpendicular to that direction, has the whole difference on one side: a dashed line if it is
+  /// seen edge-on, else a part of it.
   void next(const SimplexStep& step, const Vec3d& from, const Vec3d& search,
             const std::string& gain = "") const {
     if (!step.next) return;
@@ -99,8 +100,16 @@ struct DifferencePen {
     sketch.explain(kSearchSwatch, "search for the next point");
     // Long enough for the point and the foot of the arrow.
     const double reach = kSupportShare * size, shift = (from - at).dot(along);
-    sketch.line(at + (std::min(shift, 0.0) - reach) * along,
-                at + (std::max(shift, 0.0) + reach) * along, {1.5f, kText, true});
+    const Vec3d first = at + (std::min(shift, 0.0) - reach) * along,
+                last = at + (std::max(shift, 0.0) + reach) * along;
+    constexpr double kEdgeOn = 0.02;
+    if (std::abs(search.dot(camera.to_eye(at))) < kEdgeOn) {
+      sketch.line(first, last, {1.5f, kText, true});
+    } else {
+      const Vec3d across = reach * search.cross(along);
+      sketch.face({first - across, last - across, last + across, first + across},
+                  with_alpha(kText, 0.05f), {1.2f, kText, true, LineStyle::Hidden::Same});
+    }
     sketch.explain(kFarthestSwatch, "no point lies beyond");
     sketch.mark(MarkKind::Hollow, at, step_color(step));
     sketch.label(at, "next point" + gain, step_color(step), 16, 12);

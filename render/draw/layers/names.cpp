@@ -32,7 +32,7 @@ Vec3d place_of(const Camera& camera, const PlacedShape& shape) {
 }
 
 // A bar is named on its far side, as a column or row of a table; other shapes in their middle.
-std::optional<Vec3d> beside_bar(const PlacedShape& shape, const Vec3d& center) {
+std::optional<Vec3d> next_to_bar(const PlacedShape& shape, const Vec3d& center) {
   constexpr double kThin = 0.1;  // share of the length
   const Eigen::AlignedBox3d box = box_around(shape.vertices);
   Eigen::Index along = 0;
@@ -59,7 +59,7 @@ void draw_names(const Scene& scene, Sketch& sketch) {
         many && !scene.frame.broad_phase && std::ranges::none_of(scene.frame.pairs, has);
     if (!in_view(scene.camera, shape) || (many && !touches[shape.place] && !is_alone)) continue;
     const float size = is_alone ? kLargeName : scene.shapes.size() > 8 ? kSmallName : 16;
-    std::optional<Vec3d> out = is_alone ? beside_bar(shape, sketch.center) : std::nullopt;
+    std::optional<Vec3d> out = is_alone ? next_to_bar(shape, sketch.center) : std::nullopt;
     const double gap = out ? kFromBar : 0;
     if (is_alone && !out) out = scene.camera.up();  // centred
     sketch.label(place_of(scene.camera, shape), name, kText, size, gap, out);
