@@ -61,7 +61,8 @@ const Rect kPanel{900, 80, 330, 520};
 
 /// Draws a panel of a sequence, with `room` under its heading.
 Drawing panel_of(Panel panel, const std::vector<trace::Frame>& frames, std::size_t moment,
-                 const Rect& room = kPanel, float pixel = 1, std::vector<Layer> layers = {}) {
+                 const Rect& room = kPanel, float pixel = 1,
+                 std::vector<Layer> layers = {Layer::Shapes}) {
   CrateOnSlab scene;
   scene.frames = frames;
   scene.view.panels = {panel};

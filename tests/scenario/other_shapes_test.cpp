@@ -250,8 +250,9 @@ TEST(OtherShapes, AKeyChoosesTheTriangleWhoseStagesAreRecorded) {
   EXPECT_EQ(pair.clip->reference.face, 5);
   EXPECT_THAT(scenario("triangle = 8\n", mesh).warnings,
               ElementsAre(HasSubstr("'floor' has triangles 0 to 7")));
-  EXPECT_THAT(scenario("triangle = 0\n", "type = \"plane\"\nnormal = [0, 1, 0]\n").warnings,
-              ElementsAre(HasSubstr("neither shape is a mesh")));
+  EXPECT_THAT(
+      scenario("triangle = 0\n", "type = \"plane\"\nnormal = [0, 1, 0]\noffset = 0\n").warnings,
+      ElementsAre(HasSubstr("neither shape is a mesh")));
 }
 
 }  // namespace

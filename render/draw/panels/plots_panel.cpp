@@ -208,10 +208,8 @@ class PlotsPanel : public PanelContent {
 
   bool solved_ = false;
   // Charts that have the whole picture, without a scene next to them, are legible on a slide.
-  float zoom_ = staging_.layout.panels.width > 0 &&
-                        staging_.layout.panels.width >=
-                            staging_.layout.page.width&& staging_.layout.panels.y <
-                            staging_.layout.view.bottom()
+  float zoom_ = staging_.layout.panels.width >= staging_.layout.page.width &&
+                        staging_.layout.panels.y < staging_.layout.view.bottom()
                     ? 1.5f
                     : 1.0f;
   std::vector<SeriesChart> charts_;
