@@ -387,7 +387,7 @@ const std::vector<PictureRow>& picture_rows() {
           "Up: mean speed of the fastest of six boxes that should rest, mm/s. Points: kept of each contact",
           {.drop_worst = true,
            .scale = 1000,
-           .failed = "fell",
+           .failed = "stacks fell",
            .left_out = kNumbersOfStacks},
           &result_of_max_points),
       row("solver", "energy", kAll, kAll, "", "",
