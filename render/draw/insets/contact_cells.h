@@ -150,7 +150,7 @@ double longest_arm(const std::vector<Vec2d>& points, const Vec2d& center, const 
 /// The direction in which the kept points resist the smallest share of the moment that all points
 /// resist about their middle.
 struct WeakestTilt {
-  Vec2d arm = Vec2d::Zero();  // of all points, that way
+  Vec2d arm = Vec2d::Zero();  // of all points, in that direction
   double share = 1;           // 1: nothing is lost in any direction
 };
 WeakestTilt weakest_tilt(const std::vector<Vec2d>& all, const std::vector<Vec2d>& kept);

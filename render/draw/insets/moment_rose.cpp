@@ -23,7 +23,7 @@ double longest_arm(const std::vector<Vec2d>& points, const Vec2d& center, const 
 // are those of one point each, and the ratio of two such arms has no extremes. Points on a line have
 // no arm across it, so directions along edges are candidates too.
 WeakestTilt weakest_tilt(const std::vector<Vec2d>& all, const std::vector<Vec2d>& kept) {
-  constexpr double kNoise = 1e-6;  // of positions in float, as a share of an edge or an arm
+  constexpr double kNoise = 1e-4;  // of pixels in float, as a share of an edge or an arm
   const Vec2d center = mean_of(all);
   WeakestTilt weakest;
   for (const std::vector<Vec2d>& polygon : {convex_polygon(all), convex_polygon(kept)}) {
@@ -42,41 +42,36 @@ WeakestTilt weakest_tilt(const std::vector<Vec2d>& all, const std::vector<Vec2d>
 }
 
 void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark) {
-  const std::vector<Vec2d> all = mapped(
-      cell.points, [&](const trace::Point& point) { return plane.axes.along(point.position); });
+  const std::vector<Vec2d> all = mapped(plane.at(cell.points), flat);
   const std::vector<Vec2d> kept = mapped(cell.kept, [&](int i) { return at(all, i); });
   const Vec2d center = mean_of(all);
-  const auto on_page = [&](const Vec2d& place) {
-    return plane.at(Vec3d(place.x() * plane.axes.u + place.y() * plane.axes.v));
-  };
   for (const auto& [points, width, color] :
        {std::tuple{&all, 1.5, kDropped}, {&kept, 2.5, kContact}}) {
     std::vector<Point2> rim;
     for (int i = 0; i <= 360; ++i) {
       const double angle = i * std::numbers::pi / 180;
       const Vec2d toward(std::cos(angle), std::sin(angle));
-      rim.push_back(on_page(center + std::max(0.0, longest_arm(*points, center, toward)) * toward));
-      if (i > 0)
-        plane.fill({on_page(center), rim[rim.size() - 2], rim.back()}, with_alpha(color, 0.2f));
+      rim.push_back(pixel(center + std::max(0.0, longest_arm(*points, center, toward)) * toward));
+      if (i == 0) continue;
+      plane.fill({pixel(center), rim[rim.size() - 2], rim.back()}, with_alpha(color, 0.2f));
     }
     plane.path(rim, width, color);
   }
   for (int i = 0; i < count_of(all); ++i)
     if (std::ranges::find(cell.kept, i) == cell.kept.end())
-      draw_dropped_point(on_page(at(all, i)), plane, mark);
-  for (const Vec2d& place : kept) draw_kept_point(on_page(place), plane, mark);
+      draw_dropped_point(pixel(at(all, i)), plane, mark);
+  for (const Vec2d& place : kept) draw_kept_point(pixel(place), plane, mark);
 
   const WeakestTilt tilt = weakest_tilt(all, kept);
   if (tilt.share == 1 || kept.empty()) return;
   const Vec2d across = Vec2d(-tilt.arm.y(), tilt.arm.x()).normalized();
   const Vec2d foot = center + tilt.share * tilt.arm;
-  plane.path({on_page(foot + longest_arm(kept, foot, across) * across),
-              on_page(foot - longest_arm(kept, foot, -across) * across)},
-             3, kNormal);
-  plane.path({on_page(center), on_page(center + tilt.arm)}, 2, kNormal, 6);
+  plane.line(pixel(foot + longest_arm(kept, foot, across) * across),
+             pixel(foot - longest_arm(kept, foot, -across) * across), 3, kNormal);
+  plane.line(pixel(center), pixel(center + tilt.arm), 2, kNormal, 6);
   const double share = std::max(tilt.share, 0.0);
   plane.text(printed("%.0f %%", 100 * share),
-             on_page(center + 0.5 * (1 + share) * tilt.arm) + Point2{0, plane.px(6)}, Align::Center,
+             pixel(center + 0.5 * (1 + share) * tilt.arm + Vec2d(0, plane.px(6))), Align::Center,
              kNormal, Weight::Bold, 17, 3);
 }
 
