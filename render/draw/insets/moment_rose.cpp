@@ -53,26 +53,26 @@ void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark) 
       const Vec2d toward(std::cos(angle), std::sin(angle));
       rim.push_back(pixel(center + std::max(0.0, longest_arm(*points, center, toward)) * toward));
       if (i == 0) continue;
-      plane.fill({pixel(center), rim[rim.size() - 2], rim.back()}, with_alpha(color, 0.2f));
+      plane.fill({pixel(center), rim[rim.size() - 2], rim.back()}, with_alpha(color, 0.25f));
     }
     plane.path(rim, width, color);
+  }
+  if (const WeakestTilt tilt = weakest_tilt(all, kept); tilt.share < 1 && !kept.empty()) {
+    const Vec2d across = Vec2d(-tilt.arm.y(), tilt.arm.x()).normalized();
+    const Vec2d foot = center + tilt.share * tilt.arm;
+    plane.line(pixel(foot + longest_arm(kept, foot, across) * across),
+               pixel(foot - longest_arm(kept, foot, -across) * across), 3, kNormal);
+    plane.line(pixel(center), pixel(center + tilt.arm), 2, kNormal, 6);
+    // On the longer part of the arm: the kept or the lost one.
+    const double share = std::max(tilt.share, 0.0), along = share > 0.5 ? share : 1 + share;
+    plane.text(printed("%.0f %%", 100 * share),
+               pixel(center + 0.5 * along * tilt.arm + Vec2d(0, plane.px(6))), Align::Center,
+               kNormal, Weight::Bold, 17, 3);
   }
   for (int i = 0; i < count_of(all); ++i)
     if (std::ranges::find(cell.kept, i) == cell.kept.end())
       draw_dropped_point(pixel(at(all, i)), plane, mark);
   for (const Vec2d& place : kept) draw_kept_point(pixel(place), plane, mark);
-
-  const WeakestTilt tilt = weakest_tilt(all, kept);
-  if (tilt.share == 1 || kept.empty()) return;
-  const Vec2d across = Vec2d(-tilt.arm.y(), tilt.arm.x()).normalized();
-  const Vec2d foot = center + tilt.share * tilt.arm;
-  plane.line(pixel(foot + longest_arm(kept, foot, across) * across),
-             pixel(foot - longest_arm(kept, foot, -across) * across), 3, kNormal);
-  plane.line(pixel(center), pixel(center + tilt.arm), 2, kNormal, 6);
-  const double share = std::max(tilt.share, 0.0);
-  plane.text(printed("%.0f %%", 100 * share),
-             pixel(center + 0.5 * (1 + share) * tilt.arm + Vec2d(0, plane.px(6))), Align::Center,
-             kNormal, Weight::Bold, 17, 3);
 }
 
 }  // namespace contactscope::draw
