@@ -148,8 +148,8 @@ std::vector<LegendEntry> ContactCells::legend() const {
     add(reduces, kReducedSwatch, "reduced away");
     add(true, kKeptSwatch, "kept");
     add(true, kWholeRoseSwatch, "moment that all points resist, by direction");
-    add(true, kKeptRoseSwatch, "the kept points");
-    add(reduces, kTiltAxisSwatch, "weakest: tips over this axis");
+    add(true, kKeptRoseSwatch, "moment that the kept points resist");
+    add(reduces, kTiltAxisSwatch, "weakest tilt: over this axis");
     return entries;
   }
   const bool has_best = any_cell([](const ContactCell& cell) { return cell.best.size() > 2; });

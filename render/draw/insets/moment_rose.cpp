@@ -60,8 +60,11 @@ void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark) 
   if (const WeakestTilt tilt = weakest_tilt(all, kept); tilt.share < 1 && !kept.empty()) {
     const Vec2d across = Vec2d(-tilt.arm.y(), tilt.arm.x()).normalized();
     const Vec2d foot = center + tilt.share * tilt.arm;
-    plane.line(pixel(foot + longest_arm(kept, foot, across) * across),
-               pixel(foot - longest_arm(kept, foot, -across) * across), 3, kNormal);
+    std::vector<Vec2d> edge = kept;  // over which it tips; within a pixel
+    std::erase_if(edge, [&](const Vec2d& p) { return tilt.arm.dot(foot - p) > tilt.arm.norm(); });
+    const double past = plane.px(14);
+    plane.line(pixel(foot + (longest_arm(edge, foot, across) + past) * across),
+               pixel(foot - (longest_arm(edge, foot, -across) + past) * across), 3, kNormal);
     plane.line(pixel(center), pixel(center + tilt.arm), 2, kNormal, 6);
     // On the longer part of the arm: the kept or the lost one.
     const double share = std::max(tilt.share, 0.0), along = share > 0.5 ? share : 1 + share;
