@@ -158,7 +158,7 @@ std::span<const ContactCell::Row> ContactCells::shown_rows(const ContactCell& ce
 
 /// The left text of a row, or its brief form if there is no room.
 std::string ContactCells::left_of(const ContactCell::Row& row) const {
-  return shows(Detail::WholeRows) || row.brief.empty() ? row.left : row.brief;
+  return (shows(Detail::WholeRows) && !rose_) || row.brief.empty() ? row.left : row.brief;
 }
 
 /// Width of the widest row of any cell, pixels.
