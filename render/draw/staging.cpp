@@ -349,9 +349,9 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     std::vector<ContactMoment> moments = reduced(frames, staging.moments);
     for (std::size_t i = 0; i < moments.size(); ++i)
       moments[i].title = fill_title(staging, frames[i]);
-    staging.cells =
-        std::make_shared<ContactCells>(header.title, header.source, header.up, std::move(moments),
-                                       view.choices, width, height, style);
+    staging.cells = std::make_shared<ContactCells>(header.title, header.source, header.up,
+                                                   std::move(moments), view.choices, width, height,
+                                                   style, view.charts && view.shows(Chart::Margin));
     return staging;
   }
   if (view.shows(Layer::Trail) || view.shows(Layer::Islands) || view.shows(Layer::Velocities)) {

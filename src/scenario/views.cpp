@@ -54,7 +54,7 @@ View read_contact_plane(const Value& table) {
   View view;
   view.kind = ViewKind::ContactPlane;
   for (const char* key : {"eye", "target", "fov_degrees", "orthographic_height", "focus", "story",
-                          "layers", "panels", "charts", "impulse_scale", "layout", "inset"}) {
+                          "layers", "panels", "impulse_scale", "layout", "inset"}) {
     if (const auto value = table.find(key))
       value->fail(std::string("'") + key +
                   "' has no effect on a view of kind \"contact_plane\"; remove it");
@@ -62,6 +62,11 @@ View read_contact_plane(const Value& table) {
   table.read("name", view.name, read_view_name);
   table.read("title", view.title, read_title);
   table.read("choices", view.choices);
+  if (const auto charts = table.find("charts")) {
+    view.charts = read_words<Chart>(*charts, kChartNames, "chart");
+    if (*view.charts != std::vector{Chart::Margin})
+      charts->fail("the only chart of a view of kind \"contact_plane\" is \"margin\"");
+  }
   return view;
 }
 

@@ -40,6 +40,22 @@ TEST(ExplorePictures, AreTallWhereManyReducersStandSideBySide) {
   EXPECT_EQ(read_png(picture).height, 720);
 }
 
+TEST(ExplorePictures, RoseIsAnotherPictureOfTheSameAnswers) {
+  const TemporaryFolder folder;
+  const std::string arguments =
+      "explore reduction/moment_rose --reducer first --size 640x360 --out '";
+  const ProgramRun areas = run(arguments + (folder / "areas") + "' --json");
+  const ProgramRun rose = run(arguments + (folder / "rose") + "' --rose --json");
+  ASSERT_EQ(rose.exit_code, 0) << rose.err;
+  const auto kept = [](const std::string& json) {
+    return json.substr(json.find("\"kept\""),
+                       json.find(']', json.find("\"kept\"")) - json.find("\"kept\""));
+  };
+  EXPECT_EQ(kept(areas.out), kept(rose.out));
+  const std::string picture = "/explore/reduction/moment_rose/frame_0000.png";
+  EXPECT_NE(read_png((folder / "areas") + picture).rgb, read_png((folder / "rose") + picture).rgb);
+}
+
 TEST(ExplorePictures, TrianglesOfAMeshHaveFoldersWhereSomethingIsReduced) {
   const TemporaryFolder folder;
   folder.write("g/mesh.toml",

@@ -137,6 +137,37 @@ TEST(ReductionScenarios, ExploreCountsTheIdsThatThePipelineChanges) {
   }
 }
 
+/// The smallest share of the moments about the middle of all points that the kept ones resist: by
+/// brute force over directions. The patch is level to half a degree.
+double least_moment(const trace::Reduction& reduction) {
+  Vec3d middle = Vec3d::Zero();
+  for (const trace::Point& point : reduction.points)
+    middle += point.position / static_cast<double>(reduction.points.size());
+  double least = 1;
+  for (int k = 0; k < 3600; ++k) {
+    const double angle = k * 3.14159265358979 / 1800;
+    const Vec3d toward(std::cos(angle), 0, std::sin(angle));
+    double all = 0, kept = -1;
+    for (const trace::Point& point : reduction.points)
+      all = std::max(all, toward.dot(point.position - middle));
+    for (const int i : reduction.kept) {
+      const trace::Point& point = reduction.points[static_cast<std::size_t>(i)];
+      kept = std::max(kept, toward.dot(point.position - middle));
+    }
+    least = std::min(least, kept / all);
+  }
+  return least;
+}
+
+TEST(ReductionScenarios, LargeAreaCanLoseMostOfAMoment) {
+  const auto all = reductions("moment_rose");
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_NEAR(least_moment(all.at("area: the talk's steps").at(0)), 0.69, 0.005);
+  EXPECT_NEAR(least_moment(all.at("bullet").at(0)), 0.42, 0.005);
+  EXPECT_NEAR(least_moment(all.at("physx cluster").at(0)), 0.03, 0.005);
+  EXPECT_NEAR(share(all.at("bullet").at(0)), 0.88, 0.005);
+}
+
 // In each step of the talk, the chosen point wins by the measures that are shown.
 TEST(ReductionScenarios, TheStagesShowWhyEachPointWasChosen) {
   for (const auto& [idea, step] : {std::pair{"first_point", 0u},

@@ -261,6 +261,8 @@ INSTANTIATE_TEST_SUITE_P(
                "'layers' has no effect on a view of kind \"contact_plane\"; remove it"},
         Broken{"PanelsOfAPlane", plane_view("panels = [\"summary\"]"), "10:10",
                "'panels' has no effect"},
+        Broken{"ChartOfAPlane", plane_view("charts = [\"energy\"]"), "10:10",
+               "the only chart of a view of kind \"contact_plane\" is \"margin\""},
         Broken{"EyeOfAPlane", plane_view("eye = [1, 2, 3]"), "10:7", "'eye' has no effect"},
         Broken{"TargetOfAPlane", plane_view("target = [1, 2, 3]"), "10:10",
                "'target' has no effect"},

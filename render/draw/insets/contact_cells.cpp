@@ -73,6 +73,12 @@ constexpr Swatch kKeptAreaSwatch{LegendGroup::Points, 12, [](auto& pen) {
                                    pen.fill(half, with_alpha(kContact, 0.16f));
                                    pen.outline(half, 2, kContact);
                                  }};
+constexpr Swatch kWholeRoseSwatch{LegendGroup::Points, 13,
+                                  [](auto& pen) { pen.area(kDropped, 0.2f, 1.5); }};
+constexpr Swatch kKeptRoseSwatch{LegendGroup::Points, 14,
+                                 [](auto& pen) { pen.area(kContact, 0.3f, 2.5); }};
+constexpr Swatch kTiltAxisSwatch{LegendGroup::Points, 15,
+                                 [](auto& pen) { pen.level_line(0, 22, 3, kNormal); }};
 constexpr Swatch kDeepestSwatch{LegendGroup::Points, 13,
                                 [](auto& pen) { draw_deepest_mark(pen.middle(), pen, 0.72); }};
 constexpr Swatch kBestPolygonSwatch{LegendGroup::Points, 15,
@@ -89,12 +95,13 @@ constexpr Swatch kOutsideTriangleSwatch{LegendGroup::Points, 18,
 
 ContactCells::ContactCells(const std::string& title, const std::string& source,
                            const std::string& up, std::vector<ContactMoment> moments, int choices,
-                           int width, int height, const FigureStyle& style)
+                           int width, int height, const FigureStyle& style, bool rose)
     : title_(title),
       source_(source),
       moments_(std::move(moments)),
       choices_(choices),
-      style_(style) {
+      style_(style),
+      rose_(rose) {
   frame_patches(up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY());
   gather_ids();
   fit(width, height);
@@ -137,6 +144,14 @@ std::vector<LegendEntry> ContactCells::legend() const {
   }
   const bool reduces =
       any_cell([](const ContactCell& cell) { return cell.kept.size() < cell.points.size(); });
+  if (rose_) {
+    add(reduces, kReducedSwatch, "reduced away");
+    add(true, kKeptSwatch, "kept");
+    add(true, kWholeRoseSwatch, "moment that all points resist, by direction");
+    add(true, kKeptRoseSwatch, "moment that the kept points resist");
+    add(reduces, kTiltAxisSwatch, "weakest tilt: over this axis");
+    return entries;
+  }
   const bool has_best = any_cell([](const ContactCell& cell) { return cell.best.size() > 2; });
   add(!reduces, kClipPolygonSwatch, "contact polygon");
   add(reduces, kReducedSwatch, "reduced away");
@@ -233,6 +248,7 @@ void ContactCells::draw_strip_axis(const Rect& strip, std::size_t moment, const 
 }
 
 void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) const {
+  if (rose_) return draw_rose(plane, cell, grid_.mark);
   const std::vector<Point2> places = plane.at(cell.points);
   const auto polygon_of = [&](const std::vector<int>& points) {
     return convex_polygon(mapped(points, [&](int i) { return flat(at(places, i)); }));

@@ -60,14 +60,15 @@ std::vector<ContactMoment> reduced(const std::vector<trace::Frame>& frames,
 /// and rows of text below. A sequence also has a strip of the ids kept over time, one row per id.
 /// If the canvas is too small, all cells leave out the right of their rows, then use the brief
 /// rows, then leave out the strip, all rows but the first, that row, the legend and the names.
-/// Without any contact, a line reports it.
+/// Without any contact, a line reports it. With `rose`, a map has the moments that the points resist
+/// by direction, and one row.
 class ContactCells {
  public:
   /// `up`: "y" or "z". `choices` as in View: number of choices shown, the last one with its
   /// candidates; 0: all, and the result.
   ContactCells(const std::string& title, const std::string& source, const std::string& up,
                std::vector<ContactMoment> moments, int choices, int width, int height,
-               const FigureStyle& style = {});
+               const FigureStyle& style = {}, bool rose = false);
 
   /// The picture of the frame with this number.
   Drawing frame(int number) const;
@@ -131,6 +132,7 @@ class ContactCells {
   std::vector<ContactMoment> moments_;
   int choices_;
   FigureStyle style_;
+  bool rose_;
   Layout layout_;
   std::vector<Patch> patches_;    // of each cell
   Vec2d extent_ = Vec2d::Zero();  // metres, of the largest patch
@@ -138,6 +140,24 @@ class ContactCells {
   Detail given_up_ = Detail{};    // all details before this one
   Grid grid_;
 };
+
+Vec2d mean_of(const std::vector<Vec2d>& points);
+
+/// Longest arm of points from `center` along the unit direction `toward`: the moment that they
+/// resist for each newton that presses a body on them through `center`. Negative: it tips anyway.
+double longest_arm(const std::vector<Vec2d>& points, const Vec2d& center, const Vec2d& toward);
+
+/// The direction in which the kept points resist the smallest share of the moment that all points
+/// resist about their middle.
+struct WeakestTilt {
+  Vec2d arm = Vec2d::Zero();  // of all points, in that direction
+  double share = 1;           // 1: nothing is lost in any direction
+};
+WeakestTilt weakest_tilt(const std::vector<Vec2d>& all, const std::vector<Vec2d>& kept);
+
+/// Draws these moments as a polar diagram in the scale of the map, and the axis and share of the
+/// weakest tilt. `mark`: size of the points' marks.
+void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark);
 
 /// Draws the first `shown` choices of a reducer, the last one with its candidates. Gregorius 2015,
 /// "Contact Point Reduction: 1st Point" to "4th Point (4)": the value of each candidate, and why

@@ -90,8 +90,14 @@ void ContactCells::frame_patches(const Vec3d& above) {
         axes_from_above(touching == moments_.end() ? above : touching->cells[cell].normal, above);
     PlaneExtent extent;
     for (const ContactMoment& moment : moments_) {
-      for (const trace::Point& point : moment.cells[cell].points)
-        extent.extend(patch.axes.along(point.position));
+      const auto places = mapped(moment.cells[cell].points, [&](const trace::Point& point) {
+        return patch.axes.along(point.position);
+      });
+      for (const Vec2d& place : places) {
+        const Vec2d middle = rose_ ? Vec2d(0.5 * (mean_of(places) + place)) : place;  // of a disc
+        const Vec2d radius = Vec2d::Constant((place - middle).norm());
+        extent.extend(Vec2d(middle - radius)).extend(Vec2d(middle + radius));
+      }
     }
     if (extent.isEmpty()) continue;
     patch.center = extent.center();
@@ -143,7 +149,7 @@ std::size_t ContactCells::row_count() const {
   if (!shows(Detail::Rows) || choices_ > 0) return 0;  // pictures of choices do not show the result
   std::size_t most = 0;
   for (const ContactCell& cell : all_cells()) most = std::max(most, cell.rows.size());
-  return shows(Detail::AllRows) ? most : std::min<std::size_t>(most, 1);
+  return shows(Detail::AllRows) && !rose_ ? most : std::min<std::size_t>(most, 1);
 }
 
 std::span<const ContactCell::Row> ContactCells::shown_rows(const ContactCell& cell) const {
@@ -152,7 +158,7 @@ std::span<const ContactCell::Row> ContactCells::shown_rows(const ContactCell& ce
 
 /// The left text of a row, or its brief form if there is no room.
 std::string ContactCells::left_of(const ContactCell::Row& row) const {
-  return shows(Detail::WholeRows) || row.brief.empty() ? row.left : row.brief;
+  return (shows(Detail::WholeRows) && !rose_) || row.brief.empty() ? row.left : row.brief;
 }
 
 /// Width of the widest row of any cell, pixels.

@@ -243,6 +243,8 @@ const std::vector<Option>& option_table() {
        kUnrecorded},
       {"--reducer", "NAME", "render trace explore", &Options::reducer, "Reducer for every pair",
        named(Kind::Words, names_in(reducers()))},
+      {"--rose", "", "explore", &Options::rose,
+       "Draw the moments that the kept points resist, by direction, instead of the area"},
       {"--triangle", "NUMBER", "render trace", &Options::triangle,
        "Triangle of a mesh whose separating axes and clipping are recorded and drawn, instead of "
        "the "

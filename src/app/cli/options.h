@@ -144,6 +144,7 @@ struct Options : PictureOptions, CheckOptions, LintOptions, CompareOptions {
   std::optional<FrameRange> frames;
   std::string reducer;          // instead of the scenario's
   std::optional<int> triangle;  // of a mesh: its stages are recorded
+  bool rose = false;            // of moments
   int jobs = 0;                 // 0: number of processors
   bool json = false, quiet = false, verbose = false;
 

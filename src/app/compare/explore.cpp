@@ -126,7 +126,7 @@ void write_pictures(const Scenario& scenario, const Explorations& explorations,
                                                      : plain + ": " + label;
         const draw::ContactCells cells(title, scenario.source, scenario.up,
                                        draw::explored(sequence, order), 0, size.width, size.height,
-                                       style);
+                                       style, options.rose);
         left_out = cells.left_out();
         const std::filesystem::path folder = folder_of(options, sequence.front(), several);
         std::filesystem::create_directories(folder);
