@@ -156,16 +156,15 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
   const float width = touched.size() > 6 ? 1.5f : touched.size() > 2 ? 2.0f : 3.0f;
   // Where the clipping of one triangle is drawn, the others are pale.
   const bool has_clipping = scene.shows(Layer::IncidentFace);
-  const auto is_clipped = [&](const trace::Pair& pair, const std::string& mesh, int triangle) {
-    return pair.clip && pair.triangle == triangle && (pair.a == mesh || pair.b == mesh);
+  const auto is_clipped = [&](const std::string& mesh, int triangle) {
+    return std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& pair) {
+      return pair.clip && pair.triangle == triangle && (pair.a == mesh || pair.b == mesh);
+    });
   };
   for (const auto& [mesh, triangle, incident] : touched) {
     const Color color = incident ? kIncidentFace : kReferenceFace;
     if (has_clipping) {
-      const std::string& name = mesh->traced().name;
-      if (std::ranges::any_of(scene.frame.pairs,
-                              [&](const auto& pair) { return is_clipped(pair, name, triangle); }))
-        continue;
+      if (is_clipped(mesh->traced().name, triangle)) continue;
       sketch.face(mesh->polygon(triangle), with_alpha(color, kPale), {1.5f, color, incident});
       sketch.explain(kTouchedSwatch, "another triangle touched",
                      near_corner(mesh->polygon(triangle)));
