@@ -95,18 +95,6 @@ class GapSearch {
   Vec3d on_core_ = Vec3d::Zero(), outward_ = Vec3d::UnitY();
 };
 
-}  // namespace
-
-FieldGap field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double limit) {
-  GapSearch search(*field.field, limit * field.per_cell);
-  for (const FieldPiece& piece : pieces) search.look_at(core_of(field, piece));
-  if (search.feature() == nullptr) return {limit};
-  return {search.best() * field.cell, field.origin + field.cell * search.on_core(),
-          search.outward(), *search.feature()};
-}
-
-namespace {
-
 /// After this many cuts the nearest piece counts as a touch. Enough for any pair that is not
 /// everywhere at the distance of the margin.
 constexpr int kMaxCuts = 1 << 14;
@@ -338,6 +326,14 @@ class Search {
 };
 
 }  // namespace
+
+FieldGap field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double limit) {
+  GapSearch search(*field.field, limit * field.per_cell);
+  for (const FieldPiece& piece : pieces) search.look_at(core_of(field, piece));
+  if (search.feature() == nullptr) return {limit};
+  return {search.best() * field.cell, field.origin + field.cell * search.on_core(),
+          search.outward(), *search.feature()};
+}
 
 FieldTouches find_touches(const PlacedField& field, std::span<const FieldPiece> pieces,
                           const FieldSearchLimits& limits) {

@@ -1,6 +1,5 @@
 #include "draw/charts/axis.h"
 
-#include "draw/scene/quantity.h"
 #include "trace/study.h"
 
 namespace contactscope::draw {

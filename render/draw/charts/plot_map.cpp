@@ -2,7 +2,6 @@
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
