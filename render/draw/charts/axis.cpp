@@ -1,5 +1,6 @@
 #include "draw/charts/axis.h"
 
+#include "core/spell.h"
 #include "trace/study.h"
 
 namespace contactscope::draw {

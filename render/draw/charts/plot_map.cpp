@@ -1,4 +1,5 @@
 #include "core/at.h"
+#include "core/spell.h"
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"

@@ -1,6 +1,7 @@
 #include <future>
 #include <iostream>
 
+#include "app/cli/verbs.h"
 #include "app/render/formats/format.h"
 #include "core/key_table.h"
 #include "image/png.h"
