@@ -3,12 +3,19 @@
 #include "draw/insets/contact_cells.h"
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
-#include "draw/title.h"
 #include "draw/viewports.h"
 #include "trace/trace.h"
+#include "view/title.h"
 #include "view/view.h"
 
 namespace contactscope::draw {
+
+/// A title with placeholders, and their values over the whole sequence.
+struct StagedTitle {
+  Title title;
+  /// Text of each placeholder over the sequence, in order of the pieces; empty without a value.
+  std::vector<std::string> of_sequence;
+};
 
 /// Data that all pictures of a sequence share, so that only changes move.
 struct Staging {
@@ -82,5 +89,18 @@ void draw_shape_names(const Scene& scene, Sketch& sketch);
 
 /// Optional stages of the pipeline that the layers and panels of these views need.
 Stages stages_shown(const std::vector<View>& views);
+
+// title.cpp
+
+/// Examines the frames if a placeholder refers to all of them.
+StagedTitle stage_title(const std::string& text, const std::vector<trace::Frame>& frames,
+                        const LengthUnit& unit = {});
+
+/// The first alternative for which this frame has all values; otherwise the last, with "…" for
+/// others.
+std::string fill_title(const Staging& staging, const trace::Frame& frame);
+
+/// Adds the optional stages of the pipeline that a title needs.
+void add_stages(const Title& title, Stages& stages);
 
 }  // namespace contactscope::draw

@@ -1,5 +1,3 @@
-#include "draw/title.h"
-
 #include "draw/scene/pairs.h"
 #include "draw/staging.h"
 

@@ -56,10 +56,6 @@ RouteReport probe(const Route& route) {
 
 }  // namespace
 
-std::string Context::driver() const {
-  return get_string(functions_, GL_VERSION) + ", " + get_string(functions_, GL_RENDERER);
-}
-
 void Context::make_current() {
   if (current == this) return;
   release_current();

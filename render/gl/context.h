@@ -67,8 +67,6 @@ class Context {
 
   const Functions& functions() const { return functions_; }
   const std::string& route() const { return route_; }
-  /// "4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)".
-  std::string driver() const;
   void make_current();
   void release();
 

@@ -59,31 +59,7 @@ Bytes fast_stream(std::span<const std::uint8_t> bytes) {
   return out;
 }
 
-}  // namespace
-
-Bytes zlib_stream(std::span<const std::uint8_t> bytes, int level) {
-  assert(level >= 0 && level <= 12);
-  return level == kFastestDeflate ? fast_stream(bytes) : small_stream(bytes, level);
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63u];
-  }
-  return text;
-}
-
 // SHA-256: FIPS 180-4, section 6.2, with its names.
-namespace {
-
 constexpr std::array<std::uint32_t, 64> kRounds = {
     0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
     0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
@@ -129,6 +105,26 @@ void add_block(const unsigned char* block, Hash& hash) {
 }
 
 }  // namespace
+
+Bytes zlib_stream(std::span<const std::uint8_t> bytes, int level) {
+  assert(level >= 0 && level <= 12);
+  return level == kFastestDeflate ? fast_stream(bytes) : small_stream(bytes, level);
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63u];
+  }
+  return text;
+}
 
 std::string sha256(std::string_view bytes) {
   Hash hash = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,

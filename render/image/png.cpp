@@ -25,6 +25,12 @@ bool has_signature(std::span<const std::uint8_t> bytes) {
                     [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
+bool is_plain(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+}
+
+void append(std::string_view text, Bytes& to) { to.insert(to.end(), text.begin(), text.end()); }
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image, int level, const PngText& text) {
@@ -59,16 +65,6 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
 }
 
 Image read_png(const std::string& path) { return decode_png(read_whole_file(path), path); }
-
-namespace {
-
-bool is_plain(const std::string& text) {
-  return std::ranges::all_of(text, [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
-}
-
-void append(std::string_view text, Bytes& to) { to.insert(to.end(), text.begin(), text.end()); }
-
-}  // namespace
 
 void append_be32(std::uint32_t value, Bytes& to) {
   for (const int shift : {24, 16, 8, 0}) to.push_back(static_cast<std::uint8_t>(value >> shift));

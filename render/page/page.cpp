@@ -19,15 +19,6 @@ std::string_view attribute_of(std::string_view tag, std::string_view name) {
   return value.substr(0, value.find('"'));
 }
 
-}  // namespace
-
-/// page.html, page.css and page.js, embedded by the build.
-std::string_view page_markup();
-std::string_view page_style();
-std::string_view page_script();
-
-namespace {
-
 using draw::Drawing;
 using nlohmann::ordered_json;
 
@@ -121,6 +112,11 @@ void add_words(const std::string& words, vector::UsedCharacters& used) {
 }
 
 }  // namespace
+
+/// page.html, page.css and page.js, embedded by the build.
+std::string_view page_markup();
+std::string_view page_style();
+std::string_view page_script();
 
 Page::Page(const draw::Staging& staging, const PictureOrigin& origin)
     : staging_(staging), origin_(origin), title_(origin.title) {

@@ -22,20 +22,6 @@ void add_impulse(const trace::Point& point, FactRows& rows) {
     rows.emplace_back("warm start", draw::spell_quantity(point.impulse->warm_start, "N s"));
 }
 
-/// "edge 3 of crate" for "a:e3"; empty for other forms.
-std::string feature_word(std::string_view feature, const trace::Pair& pair) {
-  if (feature.size() < 4 || feature[1] != ':' || (feature[0] != 'a' && feature[0] != 'b'))
-    return {};
-  const std::string_view number = feature.substr(3);
-  if (number.find_first_not_of("0123456789") != std::string_view::npos) return {};
-  const char* kind = feature[2] == 'v'   ? "vertex "
-                     : feature[2] == 'e' ? "edge "
-                     : feature[2] == 'f' ? "face "
-                                         : nullptr;
-  if (kind == nullptr) return {};
-  return kind + std::string(number) + " of " + (feature[0] == 'a' ? pair.a : pair.b);
-}
-
 /// Adds the points of one pair.
 struct PairPoints {
   const draw::Staging& staging;
@@ -135,13 +121,19 @@ std::string spell_vector(const Vec3d& vector) {
 }
 
 std::string feature_words(const std::string& id, const trace::Pair& pair) {
-  const std::size_t space = id.find(' ');
-  const std::string_view whole = id;
-  const std::string first = feature_word(whole.substr(0, space), pair);
-  const std::string second =
-      space == std::string::npos ? std::string() : feature_word(whole.substr(space + 1), pair);
-  if (first.empty() || (second.empty() && space != std::string::npos)) return id;
-  return second.empty() ? first : first + ", " + second;
+  const std::vector<draw::PairFeature> features = draw::features_in(id);
+  const auto as_in_id = [](const draw::PairFeature& feature) {
+    return (feature.of_a ? "a:" : "b:") + (feature.kind + std::to_string(feature.index));
+  };
+  static const std::map<char, const char*> kinds = {
+      {'v', "vertex "}, {'e', "edge "}, {'f', "face "}};
+  const auto is_known = [&](const draw::PairFeature& one) { return kinds.contains(one.kind); };
+  if (!std::ranges::all_of(features, is_known) || separated(features, " ", as_in_id) != id)
+    return id;
+  return separated(features, ", ", [&](const draw::PairFeature& feature) {
+    return kinds.at(feature.kind) + std::to_string(feature.index) + " of " +
+           (feature.of_a ? pair.a : pair.b);
+  });
 }
 
 std::string parts_of(const trace::Pair& pair) { return pair.a + " " + pair.b; }

@@ -265,10 +265,9 @@ class Comparison {
     std::vector<std::string> before(expected.size()), after(actual.size());
     constexpr trace::Match kMatch = match_of<Entry>();
     if constexpr (kMatch != trace::Match::None) {
-      std::transform(expected.begin(), expected.end(), before.begin(),
-                     [](const Entry& entry) { return key_of(entry); });
-      std::transform(actual.begin(), actual.end(), after.begin(),
-                     [](const Entry& entry) { return key_of(entry); });
+      const auto key = [](const Entry& entry) { return key_of(entry); };
+      std::ranges::transform(expected, before.begin(), key);
+      std::ranges::transform(actual, after.begin(), key);
     }
     Match match = match_keys(before, after);
     if (kMatch == trace::Match::Finds) match_rest_by_index(match);

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "core/at.h"
 #include "snapshot/store.h"
 
 namespace contactscope::snapshot {
@@ -113,12 +114,7 @@ TraceDifferences compare_and_settle(const Trace& expected, Trace& actual, const 
   const auto number = [](const trace::Frame& frame) {
     return "frame " + std::to_string(frame.frame);
   };
-  const auto numbers = [&](const std::vector<trace::Frame>& frames) {
-    std::vector<std::string> keys;
-    for (const trace::Frame& frame : frames) keys.push_back(number(frame));
-    return keys;
-  };
-  const Match match = match_keys(numbers(expected.frames), numbers(actual.frames));
+  const Match match = match_keys(mapped(expected.frames, number), mapped(actual.frames, number));
   for (const std::size_t i : match.gone)
     header.push_back({number(expected.frames[i]), "gone", Stage::Frames});
   for (const std::size_t i : match.added)

@@ -1,5 +1,6 @@
 #include "snapshot/compare_trace.h"
 
+#include "core/at.h"
 #include "snapshot/finding.h"
 #include "snapshot/spelling.h"
 #include "trace/find.h"
@@ -70,11 +71,7 @@ bool has_impulse(const Difference& difference) {
 
 int count_points(const FrameDifferences& frame, const std::string& subject) {
   const trace::Pair* const pair = find_pair(frame.actual, subject);
-  int count = 0;
-  if (pair != nullptr)
-    for (const trace::Manifold& manifold : pair->manifolds)
-      count += static_cast<int>(manifold.points.size());
-  return count;
+  return pair == nullptr ? 0 : count_of(joined(pair->manifolds, &trace::Manifold::points));
 }
 
 /// Cause of the counted effects: a difference or a flipped choice.
@@ -198,46 +195,6 @@ bool is_input(const Difference& first, const FrameDifferences& frame) {
   return frame.frame <= 0 || trace::find_body(*frame.actual, first.subject) == nullptr;
 }
 
-}  // namespace
-
-FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
-                       const Margins& margins) {
-  // A title or the list of stored frames is not a cause while anything else differs.
-  const FrameDifferences* frame = &frames.front();
-  const Difference* first = &frame->differences.front();
-  for (const FrameDifferences& one : frames) {
-    const auto least = std::ranges::min_element(one.differences, {}, &Difference::stage);
-    if (first->stage < Stage::Words && frame->frame != one.frame) break;
-    if (least->stage >= first->stage) continue;
-    frame = &one;
-    first = &*least;
-  }
-  FirstCause cause;
-  cause.sentence = scenario;
-  if (frame->frame >= 0) cause.sentence += " frame " + std::to_string(frame->frame);
-  if (!first->subject.empty()) cause.sentence += ", " + first->subject;
-  cause.frame = frame->frame;
-  cause.first = first;
-  cause.chain = spell_chain(frames, *frame, *first, margins);
-  cause.sentence += ": " + cause.chain;
-  std::set<std::string> pairs;
-  for (const Difference& difference : frame->differences)
-    if (find_pair(frame->actual, difference.subject)) pairs.insert(difference.subject);
-  if (pairs.size() > 1)
-    cause.sentence += "; " + counted(static_cast<int>(pairs.size()), "pair") + " differ in it";
-  std::vector<int> others;
-  for (const FrameDifferences& one : frames)
-    if (one.frame >= 0 && one.frame != frame->frame) others.push_back(one.frame);
-  if (!others.empty())
-    cause.sentence +=
-        std::string("; also frame") + (others.size() > 1 ? "s " : " ") + spell_numbers(others);
-  cause.signature = signature_of(*first);
-  cause.is_input = is_input(*first, *frame);
-  return cause;
-}
-
-namespace {
-
 /// Two axes tie if their separations differ by less than this fraction of the larger one.
 constexpr double kTie = 0.01;
 
@@ -331,6 +288,42 @@ std::optional<Flipped> find_flipped_points(const trace::Reduction& before,
 }
 
 }  // namespace
+
+FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
+                       const Margins& margins) {
+  // A title or the list of stored frames is not a cause while anything else differs.
+  const FrameDifferences* frame = &frames.front();
+  const Difference* first = &frame->differences.front();
+  for (const FrameDifferences& one : frames) {
+    const auto least = std::ranges::min_element(one.differences, {}, &Difference::stage);
+    if (first->stage < Stage::Words && frame->frame != one.frame) break;
+    if (least->stage >= first->stage) continue;
+    frame = &one;
+    first = &*least;
+  }
+  FirstCause cause;
+  cause.sentence = scenario;
+  if (frame->frame >= 0) cause.sentence += " frame " + std::to_string(frame->frame);
+  if (!first->subject.empty()) cause.sentence += ", " + first->subject;
+  cause.frame = frame->frame;
+  cause.first = first;
+  cause.chain = spell_chain(frames, *frame, *first, margins);
+  cause.sentence += ": " + cause.chain;
+  std::set<std::string> pairs;
+  for (const Difference& difference : frame->differences)
+    if (find_pair(frame->actual, difference.subject)) pairs.insert(difference.subject);
+  if (pairs.size() > 1)
+    cause.sentence += "; " + counted(static_cast<int>(pairs.size()), "pair") + " differ in it";
+  std::vector<int> others;
+  for (const FrameDifferences& one : frames)
+    if (one.frame >= 0 && one.frame != frame->frame) others.push_back(one.frame);
+  if (!others.empty())
+    cause.sentence +=
+        std::string("; also frame") + (others.size() > 1 ? "s " : " ") + spell_numbers(others);
+  cause.signature = signature_of(*first);
+  cause.is_input = is_input(*first, *frame);
+  return cause;
+}
 
 bool Flipped::says(const Difference& difference) const {
   if (difference.stage != stage) return false;

@@ -280,9 +280,8 @@ void PackedFacts::add(const trace::Frame& frame) {
   }
   double impulse = 0;
   for (const trace::Pair& pair : frame.pairs)
-    for (const trace::Manifold& manifold : pair.manifolds)
-      for (const trace::Point& point : manifold.points)
-        if (point.impulse && point.impulse->normal > 0) impulse += point.impulse->normal;
+    for (const trace::Point& point : joined(pair.manifolds, &trace::Manifold::points))
+      if (point.impulse && point.impulse->normal > 0) impulse += point.impulse->normal;
   json_["impulses"].push_back(impulse);
   shorten(json_["impulses"].back());
   put(kPairs, count_of(frame.pairs), at(last_, kPairs).value);

@@ -1,5 +1,4 @@
 
-#include "core/at.h"
 #include "lint/small_depths.h"
 #include "lint/watch.h"
 #include "lint/wrong_pairs.h"

@@ -1,5 +1,4 @@
 
-#include "core/at.h"
 #include "lint/watch.h"
 
 namespace contactscope::lint {

@@ -1,4 +1,5 @@
 
+#include "core/at.h"
 #include "lint/watch.h"
 #include "trace/find.h"
 
@@ -7,15 +8,13 @@ namespace {
 
 /// Whether each point of one has a point of the other within `near` metres.
 bool same_places(const trace::Pair& one, const trace::Pair& other, double near) {
-  for (const trace::Manifold& manifold : one.manifolds)
-    for (const trace::Point& point : manifold.points) {
-      bool found = false;
-      for (const trace::Manifold& then : other.manifolds)
-        for (const trace::Point& candidate : then.points)
-          found = found || (candidate.position - point.position).norm() <= near;
-      if (!found) return false;
-    }
-  return true;
+  const auto candidates = joined(other.manifolds, &trace::Manifold::points);
+  const auto has_place = [&](const trace::Point& point) {
+    return std::ranges::any_of(candidates, [&](const trace::Point& candidate) {
+      return (candidate.position - point.position).norm() <= near;
+    });
+  };
+  return std::ranges::all_of(joined(one.manifolds, &trace::Manifold::points), has_place);
 }
 
 class IdsWatch final : public Watch {

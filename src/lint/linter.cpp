@@ -1,6 +1,5 @@
 #include "lint/linter.h"
 
-#include "core/at.h"
 #include "core/spell.h"
 #include "lint/watch.h"
 

@@ -13,6 +13,70 @@ void mirror(Rotation& rotation, std::size_t axis) {
   for (std::size_t i = 0; i < 3; ++i) rotation[i + 1] *= i == axis ? 1 : -1;
 }
 
+/// Two mistakes can be combined if they concern different things.
+bool go_together(const Mistake& one, const Mistake& other) {
+  if (one.alone || other.alone) return false;
+  Reading first, second;
+  one.apply(first);
+  other.apply(second);
+  const auto separated = [&](auto member) {
+    const Reading plain;
+    return first.*member == plain.*member || second.*member == plain.*member;
+  };
+  return separated(&Reading::normals) && separated(&Reading::normals_flipped) &&
+         separated(&Reading::separations_negated) && separated(&Reading::separation_scale) &&
+         separated(&Reading::points) && separated(&Reading::point_scale) &&
+         separated(&Reading::moment) && separated(&Reading::rotation) &&
+         separated(&Reading::shape_scale);
+}
+
+std::vector<Explanation> all_explanations() {
+  std::vector<Explanation> all;
+  const std::vector<Mistake>& known = mistakes();
+  for (const Mistake& mistake : known) {
+    Explanation& one = all.emplace_back();
+    one.made = {&mistake};
+    mistake.apply(one.reading);
+  }
+  for (std::size_t i = 0; i < known.size(); ++i)
+    for (std::size_t j = i + 1; j < known.size(); ++j) {
+      if (!go_together(known[i], known[j])) continue;
+      Explanation& two = all.emplace_back();
+      two.made = {&known[i], &known[j]};
+      known[i].apply(two.reading);
+      known[j].apply(two.reading);
+    }
+  return all;
+}
+
+Vec3d middle_of(const trace::Shape& shape) {
+  Vec3d sum = Vec3d::Zero();
+  for (const Vec3d& vertex : shape.vertices) sum += vertex;
+  return sum / static_cast<double>(shape.vertices.size());
+}
+
+/// Scales about the centre of the vertices.
+void scale(trace::Shape& shape, double factor) {
+  const Vec3d middle = middle_of(shape);
+  for (Vec3d& vertex : shape.vertices) vertex = middle + factor * (vertex - middle);
+}
+
+/// The margin is Bullet's default. Boxes and cylinders shrink by it along each of their axes.
+void round_edges(trace::Shape& shape) {
+  const Vec3d middle = middle_of(shape);
+  Vec3d half = Vec3d::Zero();
+  for (const Vec3d& vertex : shape.vertices) half = half.cwiseMax((vertex - middle).cwiseAbs());
+  const double margin = std::min(0.04, half.minCoeff() / 10);
+  for (Vec3d& vertex : shape.vertices) vertex -= margin * (vertex - middle).cwiseQuotient(half);
+  shape.margin += margin;
+}
+
+void lay_along(trace::Shape& capsule, int axis) {
+  const Vec3d middle = middle_of(capsule);
+  const Vec3d half = 0.5 * (capsule.vertices[1] - capsule.vertices[0]).norm() * Vec3d::Unit(axis);
+  capsule.vertices = {middle - half, middle + half};
+}
+
 }  // namespace
 
 const std::vector<Mistake>& mistakes() {
@@ -143,46 +207,6 @@ const std::vector<Mistake>& mistakes() {
   return kMistakes;
 }
 
-namespace {
-
-/// Two mistakes can be combined if they concern different things.
-bool go_together(const Mistake& one, const Mistake& other) {
-  if (one.alone || other.alone) return false;
-  Reading first, second;
-  one.apply(first);
-  other.apply(second);
-  const auto separated = [&](auto member) {
-    const Reading plain;
-    return first.*member == plain.*member || second.*member == plain.*member;
-  };
-  return separated(&Reading::normals) && separated(&Reading::normals_flipped) &&
-         separated(&Reading::separations_negated) && separated(&Reading::separation_scale) &&
-         separated(&Reading::points) && separated(&Reading::point_scale) &&
-         separated(&Reading::moment) && separated(&Reading::rotation) &&
-         separated(&Reading::shape_scale);
-}
-
-std::vector<Explanation> all_explanations() {
-  std::vector<Explanation> all;
-  const std::vector<Mistake>& known = mistakes();
-  for (const Mistake& mistake : known) {
-    Explanation& one = all.emplace_back();
-    one.made = {&mistake};
-    mistake.apply(one.reading);
-  }
-  for (std::size_t i = 0; i < known.size(); ++i)
-    for (std::size_t j = i + 1; j < known.size(); ++j) {
-      if (!go_together(known[i], known[j])) continue;
-      Explanation& two = all.emplace_back();
-      two.made = {&known[i], &known[j]};
-      known[i].apply(two.reading);
-      known[j].apply(two.reading);
-    }
-  return all;
-}
-
-}  // namespace
-
 bool moves_shapes(const std::string& cause) {
   for (const Mistake& mistake : mistakes()) {
     Reading reading;
@@ -205,38 +229,6 @@ bool takes(const trace::Shape& shape, Form form) {
   if (form <= Form::PlanesTurned) return shape.half_space.has_value();
   return shape.type == "box" || shape.type == "cylinder";
 }
-
-namespace {
-
-Vec3d middle_of(const trace::Shape& shape) {
-  Vec3d sum = Vec3d::Zero();
-  for (const Vec3d& vertex : shape.vertices) sum += vertex;
-  return sum / static_cast<double>(shape.vertices.size());
-}
-
-/// Scales about the centre of the vertices.
-void scale(trace::Shape& shape, double factor) {
-  const Vec3d middle = middle_of(shape);
-  for (Vec3d& vertex : shape.vertices) vertex = middle + factor * (vertex - middle);
-}
-
-/// The margin is Bullet's default. Boxes and cylinders shrink by it along each of their axes.
-void round_edges(trace::Shape& shape) {
-  const Vec3d middle = middle_of(shape);
-  Vec3d half = Vec3d::Zero();
-  for (const Vec3d& vertex : shape.vertices) half = half.cwiseMax((vertex - middle).cwiseAbs());
-  const double margin = std::min(0.04, half.minCoeff() / 10);
-  for (Vec3d& vertex : shape.vertices) vertex -= margin * (vertex - middle).cwiseQuotient(half);
-  shape.margin += margin;
-}
-
-void lay_along(trace::Shape& capsule, int axis) {
-  const Vec3d middle = middle_of(capsule);
-  const Vec3d half = 0.5 * (capsule.vertices[1] - capsule.vertices[0]).norm() * Vec3d::Unit(axis);
-  capsule.vertices = {middle - half, middle + half};
-}
-
-}  // namespace
 
 trace::Shape reformed(trace::Shape shape, Form form) {
   using enum Form;

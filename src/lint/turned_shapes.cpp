@@ -38,12 +38,6 @@ class RotationsWatch final : public Watch {
   Tally half_turns_{"quaternions_xyzw", "poses"};
 };
 
-}  // namespace
-
-std::unique_ptr<Watch> watch_rotations() { return std::make_unique<RotationsWatch>(); }
-
-namespace {
-
 /// A mesh with inverted triangles is hit from behind everywhere.
 class WindingsWatch final : public Watch {
  public:
@@ -95,6 +89,8 @@ class WindingsWatch final : public Watch {
 };
 
 }  // namespace
+
+std::unique_ptr<Watch> watch_rotations() { return std::make_unique<RotationsWatch>(); }
 
 std::unique_ptr<Watch> watch_windings() { return std::make_unique<WindingsWatch>(); }
 

@@ -283,12 +283,10 @@ Comparison compare_manifold(const Manifold& manifold, const Vec3& normal, double
   if (manifold.points.size() != points.size())
     wrong.push_back(counted(manifold.points.size(), "point") + " instead of " +
                     std::to_string(points.size()));
-  const auto places = [](const auto& list, const auto& place) {
-    return mapped(list, [&](const auto& one) { return to_inside(place(one)); });
-  };
-  const std::vector<Vec3d> expected = places(points, [](const Vec3& point) { return point; });
+  const std::vector<Vec3d> expected =
+      mapped(points, [](const Vec3& point) { return to_inside(point); });
   const std::vector<Vec3d> actual =
-      places(manifold.points, [](const ContactPoint& point) { return point.position; });
+      mapped(manifold.points, [](const ContactPoint& point) { return to_inside(point.position); });
   std::vector<bool> is_met(expected.size()), is_used(actual.size());
   for (const Nearest& pair : paired_off(expected, actual)) {
     is_met[static_cast<std::size_t>(pair.expected)] = true;

@@ -2,6 +2,7 @@
 
 #include <cctype>
 
+#include "core/at.h"
 #include "core/input_error.h"
 #include "find/finder.h"
 #include "lint/linter.h"
@@ -153,9 +154,8 @@ bool Judge::holds(const PairOfTwo& pair) {
       if (!found_pair) answer.state = "separated";
       answer.separation =
           answer.manifolds.empty() ? find::kUnknown : std::numeric_limits<double>::infinity();
-      for (const trace::Manifold& manifold : answer.manifolds)
-        for (const trace::Point& point : manifold.points)
-          answer.separation = std::min(answer.separation, point.separation);
+      for (const trace::Point& point : joined(answer.manifolds, &trace::Manifold::points))
+        answer.separation = std::min(answer.separation, point.separation);
       if (!answer.manifolds.empty()) answer.state = "touching";
     }
     return record.emplace(side, std::move(answer)).first->second;

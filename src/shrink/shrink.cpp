@@ -58,12 +58,16 @@ class Shrinker {
     return true;
   }
 
-  /// ddmin over `count` parts; without(pair, first, last) removes a range of them.
-  template <class Count, class Without> void leave_out(const Count& count, const Without& without) {
+  /// ddmin over the entries of list_of(pair).
+  template <class ListOf> void leave_out(const ListOf& list_of) {
+    const auto count = [&] { return count_of(list_of(best_)); };
     for (int size = std::max(1, count() / 2);; size /= 2) {
       for (int first = 0; first < count();) {
         PairOfTwo tried = best_;
-        without(tried, first, std::min(first + size, count()));
+        auto& list = list_of(tried);
+        list.erase(list.begin() + first, list.begin() + std::min(first + size, count()));
+        for (SmallShape* const shape : {&tried.a, &tried.b})
+          if (shape->kind == SmallShape::Kind::Mesh) drop_unused(*shape);
         if (!attempt(tried)) first += size;
       }
       if (size <= 1) return;
@@ -86,21 +90,10 @@ class Shrinker {
   }
 
   void drop_parts(SmallShape PairOfTwo::*side) {
-    if ((best_.*side).kind == SmallShape::Kind::Mesh) {
-      leave_out([&] { return count_of((best_.*side).triangles); },
-                [&](PairOfTwo& pair, int first, int last) {
-                  auto& triangles = (pair.*side).triangles;
-                  triangles.erase(triangles.begin() + first, triangles.begin() + last);
-                  drop_unused(pair.*side);
-                });
-    }
-    if ((best_.*side).kind == SmallShape::Kind::Hull) {
-      leave_out([&] { return count_of((best_.*side).vertices); },
-                [&](PairOfTwo& pair, int first, int last) {
-                  auto& vertices = (pair.*side).vertices;
-                  vertices.erase(vertices.begin() + first, vertices.begin() + last);
-                });
-    }
+    if ((best_.*side).kind == SmallShape::Kind::Mesh)
+      leave_out([&](PairOfTwo & pair) -> auto& { return (pair.*side).triangles; });
+    if ((best_.*side).kind == SmallShape::Kind::Hull)
+      leave_out([&](PairOfTwo & pair) -> auto& { return (pair.*side).vertices; });
   }
 
   /// Replaces a capsule by a ball at one of its ends.
@@ -134,23 +127,13 @@ class Shrinker {
 
   void drop_claims() {
     if (!best_.claims) return;
-    leave_out([&] { return count_of(*best_.claims); },
-              [](PairOfTwo& pair, int first, int last) {
-                pair.claims->erase(pair.claims->begin() + first, pair.claims->begin() + last);
-              });
+    leave_out([](PairOfTwo & pair) -> auto& { return *pair.claims; });
     for (std::size_t m = 0; m < best_.claims->size(); ++m)
-      leave_out([&] { return count_of((*best_.claims)[m].points); },
-                [&](PairOfTwo& pair, int first, int last) {
-                  auto& points = (*pair.claims)[m].points;
-                  points.erase(points.begin() + first, points.begin() + last);
-                });
+      leave_out([&](PairOfTwo & pair) -> auto& { return (*pair.claims)[m].points; });
   }
 
   void drop_settings() {
-    leave_out([&] { return count_of(best_.settings); },
-              [](PairOfTwo& pair, int first, int last) {
-                pair.settings.erase(pair.settings.begin() + first, pair.settings.begin() + last);
-              });
+    leave_out([](PairOfTwo & pair) -> auto& { return pair.settings; });
   }
 
   static Turn turn_of(const Quatd& rotation) {

@@ -1,5 +1,6 @@
 #include "versus/comparison.h"
 
+#include "core/at.h"
 #include "trace/find.h"
 #include "trace/point_names.h"
 #include "versus/request.h"
@@ -68,13 +69,10 @@ class Scorer {
     judge_normal(requested, *pair, truth);
     if (truth.area > 0) {
       ++score_.patches;
-      double area = 0;  // engines may report one patch as several manifolds
-      trace::Manifold all = pair->manifolds.front();
-      all.points.clear();
-      for (const trace::Manifold& manifold : pair->manifolds)
-        all.points.insert(all.points.end(), manifold.points.begin(), manifold.points.end());
-      area = area_of(all);
-      score_.area += area / truth.area;
+      trace::Manifold all = pair->manifolds.front();  // engines may report one patch as several
+      const auto points = joined(pair->manifolds, &trace::Manifold::points);
+      all.points.assign(points.begin(), points.end());
+      score_.area += area_of(all) / truth.area;
     }
     judge_ids(requested, *pair);
   }

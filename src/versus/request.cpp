@@ -101,6 +101,11 @@ bool is_program(const fs::path& path) {
   return fs::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
 }
 
+double area_of_points(const std::vector<Vec3d>& points, const Vec3d& normal) {
+  if (points.size() < 3) return 0;
+  return contactscope::area_of(convex_polygon(project(points, normal)));
+}
+
 }  // namespace
 
 void keep_queried_pairs(trace::Frame& frame) {
@@ -163,15 +168,6 @@ std::string to_text(const trace::Trace& trace) {
   for (const trace::Frame& frame : trace.frames) text += trace::to_json_line(frame) + "\n";
   return text;
 }
-
-namespace {
-
-double area_of_points(const std::vector<Vec3d>& points, const Vec3d& normal) {
-  if (points.size() < 3) return 0;
-  return contactscope::area_of(convex_polygon(project(points, normal)));
-}
-
-}  // namespace
 
 double area_of(const trace::Manifold& manifold) {
   return area_of_points(mapped(manifold.points, &trace::Point::position), manifold.normal);

@@ -53,12 +53,11 @@ double kinetic_energy(const RolloutBody& body, const Pose<double>& pose, const M
 int acting_points(const trace::Frame& frame) {
   int acting = 0, with_impulse = 0, pushing = 0;
   for (const trace::Pair& pair : frame.pairs)
-    for (const trace::Manifold& manifold : pair.manifolds)
-      for (const trace::Point& point : manifold.points) {
-        acting += point.active;
-        with_impulse += point.impulse.has_value();
-        pushing += point.active && point.impulse && point.impulse->normal > 0;
-      }
+    for (const trace::Point& point : joined(pair.manifolds, &trace::Manifold::points)) {
+      acting += point.active;
+      with_impulse += point.impulse.has_value();
+      pushing += point.active && point.impulse && point.impulse->normal > 0;
+    }
   return with_impulse > 0 ? pushing : acting;
 }
 

@@ -76,7 +76,7 @@ TEST_F(CheckShards, PartsThatDoNotExistAreRefused) {
 
 TEST_F(CheckShards, EveryCheckRunsAllScenarios) {
   check();
-  EXPECT_EQ(check("--fresh").exit_code, 1);
+  EXPECT_EQ(check().exit_code, 1);
   EXPECT_EQ(check("--accept '*'").exit_code, 0);
   EXPECT_THAT(check("--verbose").out, HasSubstr("same        group/one\n"));
   const std::string stored = folder_ / "snapshots/group/one/trace.jsonl";
@@ -100,8 +100,8 @@ TEST_F(CheckShards, SeveralProcessesWithOneFolderDoNotHarmEachOther) {
 }
 
 TEST_F(CheckShards, CtrlCExitsWith130) {
-  const ProgramRun result = run("check --fresh --out '" + (folder_ / "out") + "'",
-                                "timeout -s INT --preserve-status 0.2");
+  const ProgramRun result =
+      run("check --out '" + (folder_ / "out") + "'", "timeout -s INT --preserve-status 0.2");
   EXPECT_EQ(result.exit_code, 130);
   EXPECT_THAT(result.err, HasSubstr("interrupted"));
 }

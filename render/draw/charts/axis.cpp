@@ -1,6 +1,6 @@
 #include "draw/charts/axis.h"
 
-#include "draw/scene/quantity.h"
+#include "core/spell.h"
 #include "trace/study.h"
 
 namespace contactscope::draw {

@@ -3,7 +3,6 @@
 #include <cctype>
 #include <sstream>
 
-#include "core/at.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {

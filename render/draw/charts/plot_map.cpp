@@ -1,8 +1,8 @@
 #include "core/at.h"
+#include "core/spell.h"
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {

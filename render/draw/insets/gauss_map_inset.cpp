@@ -1,5 +1,7 @@
+#include "core/at.h"
 #include "draw/insets/inset.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/points.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
@@ -51,12 +53,8 @@ std::vector<Vec3d> map_arc(const Vec3d& from, const Vec3d& to) {
 std::vector<Vec3d> map_ring(const Vec3d& axis) {
   const Vec3d u = any_perpendicular(axis);
   const Vec3d v = axis.cross(u);
-  std::vector<Vec3d> points;
-  for (int i = 0; i <= kRingSteps; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kRingSteps;
-    points.push_back(std::cos(angle) * u + std::sin(angle) * v);
-  }
-  return points;
+  return mapped(circle(kRingSteps, kRingSteps + 1),
+                [&](const Vec2d& at) -> Vec3d { return at.x() * u + at.y() * v; });
 }
 
 /// Crossing of an arc of A with one of B: the normal is a direction that both shapes share.

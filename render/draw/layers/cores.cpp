@@ -69,9 +69,8 @@ std::vector<Vec3d> rounded_outline(const std::vector<Vec3d>& corners, double rad
   const Vec3d u = any_perpendicular(sight);
   const Vec3d v = sight.cross(u);
   std::vector<Vec3d> outline;
-  for (int i = 0; i < kRoundedSteps; ++i) {
-    const double turn = 2 * std::numbers::pi * i / kRoundedSteps;
-    const Vec3d across = std::cos(turn) * u + std::sin(turn) * v;
+  for (const Vec2d& at : circle(kRoundedSteps)) {
+    const Vec3d across = at.x() * u + at.y() * v;
     double low = -0.5 * std::numbers::pi, high = 0.5 * std::numbers::pi;
     const auto normal_at = [&](double tilt) -> Vec3d {
       return std::cos(tilt) * across + std::sin(tilt) * sight;

@@ -1,6 +1,5 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 /// Bodies joined by contacts fall asleep and wake together: Catto 2010, "Islands". Islands follow
 /// from the trace: bodies joined by contact points, except static ones. The trace records whether

@@ -1,5 +1,7 @@
+#include "core/at.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
+#include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 
 /// Positions of a ball's centre at which it touches a triangle: a prism with rounded edges. Its
@@ -33,14 +35,9 @@ constexpr Swatch kCenterSwatch{LegendGroup::Motion, 13, [](auto& pen) { pen.cros
 
 /// Visible outline of a ball.
 std::vector<Vec3d> disc_of(const Camera& camera, const Vec3d& center, double radius) {
-  constexpr int kPoints = 32;
-  std::vector<Vec3d> points;
-  for (int i = 0; i < kPoints; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kPoints;
-    points.emplace_back(
-        center + radius * (std::cos(angle) * camera.right() + std::sin(angle) * camera.up()));
-  }
-  return points;
+  return mapped(circle(32), [&](const Vec2d& at) -> Vec3d {
+    return center + radius * (at.x() * camera.right() + at.y() * camera.up());
+  });
 }
 
 /// Visible part of the half cylinder about an edge that faces away from the triangle.

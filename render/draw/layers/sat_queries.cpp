@@ -1,7 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": the three queries next to each other,

@@ -2,7 +2,6 @@
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/quantity.h"
-#include "draw/scene/solid.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,7 +1,8 @@
+#include "core/at.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/solid.h"
+#include "draw/scene/points.h"
 
 /// Bounds that were queried instead of the shapes: boxes and balls in the colour of the answer.
 namespace contactscope::draw {
@@ -47,12 +48,9 @@ void draw_volume(const Scene& scene, const trace::Volume& volume, const LineStyl
   const RoundBody ball{{volume.center}, *volume.radius};
   sketch.curves.push_back({ball.outline(scene.camera), style, true});
   const Vec3d up = up_axis(scene.header), x = any_perpendicular(up), y = up.cross(x);
-  constexpr int kSteps = 96;
-  std::vector<Vec3d> horizon;
-  for (int i = 0; i < kSteps; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kSteps;
-    horizon.push_back(volume.center + *volume.radius * (std::cos(angle) * x + std::sin(angle) * y));
-  }
+  const std::vector<Vec3d> horizon = mapped(circle(96), [&](const Vec2d& at) -> Vec3d {
+    return volume.center + *volume.radius * (at.x() * x + at.y() * y);
+  });
   LineStyle faint = style;
   faint.width *= 0.4f;
   sketch.curves.push_back({horizon, faint, true});
@@ -80,7 +78,6 @@ bool is_aligned_box(const Scene& scene, const trace::Pair& pair, const trace::Vo
   });
 }
 
-/// Labels the bounds.
 void name_volume(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (pair.label.empty()) return;
   const trace::Volume& volume = *pair.query->bounds_a;

@@ -2,7 +2,6 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 #include "view/words.h"
 

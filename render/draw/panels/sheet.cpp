@@ -1,6 +1,5 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/layout.h"
-#include "draw/scene/quantity.h"
 #include "view/words.h"
 
 namespace contactscope::draw {

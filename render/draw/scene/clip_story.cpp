@@ -54,6 +54,8 @@ std::string words_of_result(const trace::Pair& pair) {
 
 using Vertices = std::vector<trace::SimplexVertex>;
 
+constexpr double kAlongTheNormal = 0.999;  // cosine: the face that made the contact
+
 }  // namespace
 
 bool has_clip_story(const Scene& scene, const trace::Pair& pair) {
@@ -228,12 +230,6 @@ Vec3d nearest_to_origin(const std::vector<Vec3d>& points) {
   }
   return best;
 }
-
-namespace {
-
-constexpr double kAlongTheNormal = 0.999;  // cosine: the face that made the contact
-
-}  // namespace
 
 bool ClippedSegment::cuts(std::size_t side) const {
   const double border = sides[side].dot(face[side]);

@@ -6,7 +6,6 @@
 #include "draw/scene/clip_story.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {

@@ -46,6 +46,9 @@ void draw_half_dot(const Point2& center, float radius, float border, const Color
   drawing.primitives.push_back(Disc{center, radius - border, radius, color});
 }
 
+constexpr double kMinMeasure = 26;  // pixels: two heads and a bit of line between them
+constexpr double kOuterArrow = 24;  // pixels
+
 }  // namespace
 
 PointState point_state(const std::string& state) {
@@ -181,13 +184,6 @@ void draw_state_dot(PointState state, const Point2& center, float radius, const 
     drawing.primitives.push_back(Disc{center, inner, radius, color});
   }
 }
-
-namespace {
-
-constexpr double kMinMeasure = 26;  // pixels: two heads and a bit of line between them
-constexpr double kOuterArrow = 24;  // pixels
-
-}  // namespace
 
 void draw_measure(const Scene& scene, Measured what, const Vec3d& from, const Vec3d& to,
                   float width, const std::string& text, Sketch& sketch) {

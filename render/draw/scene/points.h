@@ -64,6 +64,17 @@ inline Vec3d zero_between(const Vec3d& p, const Vec3d& q, double at_p, double at
   return p + at_p / (at_p - at_q) * (q - p);
 }
 
+/// Cosines and sines of `count` angles in steps of 1 / `steps` of a turn.
+inline std::vector<Vec2d> circle(int steps, int count) {
+  std::vector<Vec2d> points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / steps;
+    points.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return points;
+}
+inline std::vector<Vec2d> circle(int steps) { return circle(steps, steps); }
+
 inline void append(std::vector<Vec3d>& points, std::span<const Vec3d> more) {
   points.insert(points.end(), more.begin(), more.end());
 }

@@ -1,6 +1,5 @@
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Sphere vs Sphere", "Sphere vs Capsule", "Capsule vs Capsule", "Sphere vs Hull:

@@ -22,15 +22,8 @@ constexpr double kLatitudeStep = 7.5 * kPi / 180, kSmallLatitudeStep = 24 * kPi 
 
 /// Cosines and sines of the steps around the outline of a small body.
 const std::vector<Vec2d>& small_circle() {
-  static const std::vector<Vec2d> circle = [] {
-    std::vector<Vec2d> made;
-    for (int i = 0; i < kSmallOutlineSteps; ++i) {
-      const double angle = 2 * kPi * i / kSmallOutlineSteps;
-      made.emplace_back(std::cos(angle), std::sin(angle));
-    }
-    return made;
-  }();
-  return circle;
+  static const std::vector<Vec2d> small = circle(kSmallOutlineSteps);
+  return small;
 }
 
 // The unit normals with n . towards >= least.
@@ -87,19 +80,15 @@ std::vector<Vec3d> directions_around(const Vec3d& pole, const std::vector<double
                                      int longitudes) {
   const Vec3d u = any_perpendicular(pole);
   const Vec3d v = pole.cross(u);
-  std::vector<std::pair<double, double>> around;  // cosines and sines
-  for (int i = 0; i < longitudes; ++i) {
-    const double angle = 2 * kPi * i / longitudes;
-    around.emplace_back(std::cos(angle), std::sin(angle));
-  }
+  const std::vector<Vec2d> around = circle(longitudes);
   std::vector<Vec3d> all;
   for (const double latitude : latitudes) {
     const double along = std::cos(latitude), across = std::sin(latitude);
-    for (const auto& [cosine, sine] : around)
+    for (const Vec2d& at : around)
       all.push_back(latitude == 0 ? pole
                     : latitude == latitudes.back()
                         ? Vec3d(-pole)
-                        : Vec3d(along * pole + across * cosine * u + across * sine * v));
+                        : Vec3d(along * pole + across * at.x() * u + across * at.y() * v));
   }
   return all;
 }

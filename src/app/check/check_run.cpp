@@ -86,13 +86,17 @@ PixelLimits limits_of(const SnapshotSettings& settings, const std::string& view)
   return limits;
 }
 
-std::string viewer_of(const Scenario& scenario, const trace::Header& header,
-                      const std::vector<trace::Frame>& frames) {
+draw::FigureStyle style_of(const Scenario& scenario) {
   draw::FigureStyle style;
   style.words = words_of(scenario);
+  return style;
+}
+
+std::string viewer_of(const Scenario& scenario, const trace::Header& header,
+                      const std::vector<trace::Frame>& frames) {
   const draw::Staging staging = draw::stage(
       header, frames, scenario.views.front(), scenario.snapshots.width, scenario.snapshots.height,
-      style, draw::kLayers, mapped(frames, &trace::Frame::frame));
+      style_of(scenario), draw::kLayers, mapped(frames, &trace::Frame::frame));
   PictureOrigin origin;
   origin.scenario = scenario.name;
   origin.title = plain_title(scenario.title);
@@ -207,12 +211,6 @@ class Checker {
  private:
   static bool has_unstored(const Scenario& scenario) {
     return count_of(scenario.snapshots.frames) < scenario.frames;
-  }
-
-  static draw::FigureStyle style_of(const Scenario& scenario) {
-    draw::FigureStyle style;
-    style.words = words_of(scenario);
-    return style;
   }
 
   static void take(snapshot::Checked checked, ScenarioOutcome& outcome) {

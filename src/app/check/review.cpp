@@ -13,6 +13,7 @@
 #include "app/check/reports/report.h"
 #include "app/cli/catalogue.h"
 #include "app/cli/progress.h"
+#include "core/at.h"
 #include "core/input_error.h"
 #include "core/key_table.h"
 #include "snapshot/changes.h"
@@ -273,8 +274,7 @@ std::vector<Finding*> findings_named(snapshot::Outcome& outcome,
       if (std::ranges::find(chosen, finding) == chosen.end()) chosen.push_back(finding);
     }
     if (is_known) continue;
-    std::vector<std::string> keys;
-    for (const Finding* finding : all) keys.push_back(finding->key());
+    const std::vector<std::string> keys = mapped(all, &Finding::key);
     const std::string near =
         nearest(pattern, std::vector<std::string_view>(keys.begin(), keys.end()));
     throw UsageError("'" + pattern + "' is not in the last report; " +

@@ -27,18 +27,10 @@ int columns() {
 
 std::string drawn(const std::string& path, TerminalPictures how) {
   const Image image = read_png(path);
+  if (how == TerminalPictures::HalfBlocks) return to_half_blocks(image, columns());
   constexpr int kPixels = 900;  // width that fits into a terminal
-  switch (how) {
-    case TerminalPictures::Kitty: {
-      const std::vector<std::uint8_t> png = encode_png(shrunk(image, kPixels));
-      return to_kitty({reinterpret_cast<const char*>(png.data()), png.size()});
-    }
-    case TerminalPictures::HalfBlocks:
-      return to_half_blocks(image, columns());
-    case TerminalPictures::None:
-      break;
-  }
-  return {};
+  const std::vector<std::uint8_t> png = encode_png(shrunk(image, kPixels));
+  return to_kitty({reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 ExitCode run_show(const Options& options) {

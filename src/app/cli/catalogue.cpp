@@ -154,19 +154,14 @@ Input input_of(Sequence&& trace, const Options& options) {
   std::ranges::copy_if(numbers, std::back_inserter(input.frames), [&](int number) {
     return !options.frames || options.frames->names(number);
   });
-  if (!input.frames.empty()) {
-    const int count = count_of(input.frames);
-    for (const int i : {0, (count - 1) / 2, count - 1}) {
-      std::vector<int>& stored = input.scenario.snapshots.frames;
-      if (i == 0) stored.clear();
-      if (stored.empty() || stored.back() < at(input.frames, i))
-        stored.push_back(at(input.frames, i));
-    }
-  }
-  if (input.frames.empty()) {
+  const std::vector<int>& frames = input.frames;
+  if (frames.empty()) {
     throw UsageError("--frames names no frame of " + input.scenario.name + ", which has frames " +
                      std::to_string(numbers.front()) + " to " + std::to_string(numbers.back()));
   }
+  std::vector<int>& stored = input.scenario.snapshots.frames;
+  stored = {frames.front(), frames[(frames.size() - 1) / 2], frames.back()};
+  stored.erase(std::unique(stored.begin(), stored.end()), stored.end());
   return input;
 }
 
@@ -326,22 +321,18 @@ std::vector<Input> load_inputs(const Options& options, Hold hold, Unreadable unr
 
 void each_input(const Options& options, const std::function<void(const Input&)>& scenario,
                 const std::function<void(TraceFile&)>& trace) {
+  const auto visit = [&](const std::string& path) {
+    TraceFile file(path);
+    trace(file);
+  };
   for (const std::string& argument : options.scenarios) {
     if (is_trace_file(argument)) {
-      TraceFile file(argument);
-      trace(file);
+      visit(argument);
       continue;
     }
     Options one = options;
     one.scenarios = {argument};
-    for (const Input& input : load_inputs(one)) {
-      if (!input.trace) {
-        scenario(input);
-        continue;
-      }
-      TraceFile file(input.file);
-      trace(file);
-    }
+    for (const Input& input : load_inputs(one)) input.trace ? visit(input.file) : scenario(input);
   }
 }
 
@@ -363,9 +354,8 @@ std::vector<std::string> names_in_shard(std::vector<Costed> scenarios,
 
 void keep_shard(std::vector<Input>& inputs, const snapshot::Shard& shard,
                 const std::function<double(const Input&)>& cost) {
-  std::vector<Costed> scenarios;
-  for (const Input& input : inputs) scenarios.push_back({input.scenario.name, cost(input)});
-  const std::vector<std::string> own = names_in_shard(std::move(scenarios), shard);
+  const auto costed = [&](const Input& input) { return Costed{input.scenario.name, cost(input)}; };
+  const std::vector<std::string> own = names_in_shard(mapped(inputs, costed), shard);
   std::erase_if(inputs, [&](const Input& input) {
     return !std::ranges::binary_search(own, input.scenario.name);
   });

@@ -50,7 +50,6 @@ void each_input(const Options& options, const std::function<void(const Input&)>&
 /// Throws UsageError, with all names, if --reducer names none.
 void require_reducer(const std::string& name);
 
-/// Views selected by --view.
 std::vector<View> selected_views(const Scenario& scenario, const Options& options);
 
 /// Names of a list for error messages: "a, b, c".
@@ -69,7 +68,6 @@ struct Costed {
 std::vector<std::string> names_in_shard(std::vector<Costed> scenarios,
                                         const snapshot::Shard& shard);
 
-/// Keeps the inputs of a shard.
 void keep_shard(std::vector<Input>& inputs, const snapshot::Shard& shard,
                 const std::function<double(const Input&)>& cost);
 

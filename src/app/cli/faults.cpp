@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/progress.h"
-#include "core/at.h"
 #include "core/key_table.h"
 #include "scenario/run.h"
 
@@ -115,9 +114,7 @@ std::vector<lint::Finding> lint_input(const Input& input, const lint::LintOption
     TraceFile file(input.file);
     return lint_trace(file, options);
   }
-  std::vector<int> all(static_cast<std::size_t>(input.scenario.frames));
-  std::iota(all.begin(), all.end(), 0);
-  return lint_scenario(input.scenario, all, options);
+  return lint_scenario(input.scenario, Options{}.selected(input.scenario.frames), options);
 }
 
 std::string add_faults(const Input& input, const std::vector<int>& drawn, const Options& options,

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/cli/catalogue.h"
 #include "app/cli/verbs.h"
 #include "broadphase/broad_phase.h"
 #include "continuous/impact_of_shapes.h"
@@ -12,6 +11,7 @@
 #include "image/png.h"
 #include "image/webp.h"
 #include "reduce/reducer.h"
+#include "scenario/scenario.h"
 #include "snapshot/store.h"
 #include "study/study.h"
 #include "vector/svg.h"
@@ -177,10 +177,8 @@ struct Item {
 
 std::vector<Item> items_of_map(const std::string& what) {
   return mapped(source_rows(what), [](const SourceRow& row) {
-    std::string shown;
-    for (const std::string& one : row.shown) shown += (shown.empty() ? "" : ", ") + one;
-    return Item{row.id,
-                row.place + ": " + row.claim + "  [" + (shown.empty() ? "nothing" : shown) + "]"};
+    const std::string shown = row.shown.empty() ? "nothing" : separated(row.shown, ", ");
+    return Item{row.id, row.place + ": " + row.claim + "  [" + shown + "]"};
   });
 }
 

@@ -1,6 +1,7 @@
 #include <sstream>
 
 #include "app/cli/verbs.h"
+#include "core/spell.h"
 #include "scenario/keys.h"
 #include "scenario/scenario.h"
 #include "trace/reference.h"
@@ -38,13 +39,8 @@ void print_option(const Option& option, std::ostream& out) {
   out << '\n' << roff(option.description());
   // The words, unless the help names them.
   const std::vector<std::string>& words = option.values.words;
-  if (!words.empty() && option.help.find(words.back()) == std::string::npos) {
-    const char* before = "; one of ";
-    for (const std::string& word : words) {
-      out << before << roff(word);
-      before = ", ";
-    }
-  }
+  if (!words.empty() && option.help.find(words.back()) == std::string::npos)
+    out << "; one of " << separated(words, ", ", roff);
   out << '\n';
 }
 

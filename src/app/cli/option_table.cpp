@@ -256,8 +256,6 @@ const std::vector<Option>& option_table() {
        "Only part K of N of the scenarios, as 2/5; their pictures are in --out", kAny, kUnrecorded},
       {"--shard", "K/N", "check", read<&Options::shard, parse_shard>,
        "Only part K of N of all scenarios, as 2/5; the report is in OUT/check_2_of_5"},
-      {"--fresh", "", "check", &Options::fresh,
-       "Accepted for scripts: every check runs all of its scenarios"},
       {"--out", "DIR", "render list check review show explore study versus shrink", &Options::out,
        "Folder to write to", kFolder, kUnrecorded},
       {"--backend", "NAME", "render check explore study versus diff",

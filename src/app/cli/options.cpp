@@ -1,7 +1,6 @@
 #include "app/cli/options.h"
 
 #include <cctype>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -58,33 +57,6 @@ void check_ground(const draw::FigureStyle& style) {
                           : "dark for the text on it; add --theme dark"));
 }
 
-}  // namespace
-
-void use_backend_of_environment(Options& options) {
-  const char* const variable = std::getenv("CONTACTSCOPE_BACKEND");
-  if (variable != nullptr && *variable != '\0')
-    options.backend = parse_backend("$CONTACTSCOPE_BACKEND", variable);
-}
-
-void finish(Options& options) {
-  options.scenario_root = scenario_root(options.scenario_root);
-  finish_figure(options, options.size.has_value());
-  if (options.out.empty()) throw UsageError("--out is empty; name a folder");
-  if (options.write_missing && options.update == snapshot::Update::None)
-    options.update = snapshot::Update::Missing;
-  check_word(options);
-}
-
-namespace {
-
-// Parses all of `text` as an integer; nullopt if it is not one.
-std::optional<int> whole_number(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   while (true) {
@@ -108,6 +80,21 @@ std::vector<Word> parse_words(const std::string& option, const std::string& text
 
 }  // namespace
 
+void use_backend_of_environment(Options& options) {
+  const char* const variable = std::getenv("CONTACTSCOPE_BACKEND");
+  if (variable != nullptr && *variable != '\0')
+    options.backend = parse_backend("$CONTACTSCOPE_BACKEND", variable);
+}
+
+void finish(Options& options) {
+  options.scenario_root = scenario_root(options.scenario_root);
+  finish_figure(options, options.size.has_value());
+  if (options.out.empty()) throw UsageError("--out is empty; name a folder");
+  if (options.write_missing && options.update == snapshot::Update::None)
+    options.update = snapshot::Update::Missing;
+  check_word(options);
+}
+
 std::size_t word_in(const std::string& option, const std::string& text,
                     const std::vector<std::string_view>& known) {
   const auto found = std::ranges::find(known, text);
@@ -120,7 +107,7 @@ FrameRange parse_frames(const std::string& option, const std::string& text) {
   const std::vector<std::string_view> parts = split(text, ':');
   std::vector<int> numbers;
   for (const std::string_view part : parts) {
-    const std::optional<int> number = whole_number(part);
+    const std::optional<int> number = number_in<int>(part);
     if (!number || *number < 0)
       throw UsageError(option + " '" + text + "' is not a range; write A:B or A:B:STEP, as 0:23:4");
     numbers.push_back(*number);
@@ -137,7 +124,7 @@ FrameRange parse_frames(const std::string& option, const std::string& text) {
 Size parse_size(const std::string& option, const std::string& text) {
   constexpr int kMin = 64, kMax = 8192;  // supported by every OpenGL 3.3 driver
   const auto side = [](std::string_view part) {
-    const int pixels = whole_number(part).value_or(0);
+    const int pixels = number_in<int>(part).value_or(0);
     return pixels >= kMin && pixels <= kMax ? pixels : 0;
   };
   const std::vector<std::string_view> parts = split(text, 'x');
@@ -149,10 +136,8 @@ Size parse_size(const std::string& option, const std::string& text) {
 
 double parse_orthographic(const std::string& option, const std::string& text) {
   if (text == "fitted") return 0;
-  double height = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), height);
-  if (error == std::errc() && end == text.data() + text.size() && height > 0 && height < 1e9)
-    return height;
+  const double height = number_in<double>(text).value_or(0);
+  if (height > 0 && height < 1e9) return height;
   throw UsageError(option + "=" + text +
                    " is not a height; write --orthographic, or metres as --orthographic=1.5");
 }

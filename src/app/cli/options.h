@@ -1,5 +1,6 @@
 #pragma once
 
+#include <charconv>
 #include <iosfwd>
 
 #include "draw/scene/drawing.h"
@@ -111,7 +112,6 @@ struct CheckOptions {
   bool github = false;                   // annotations on standard output
   std::string pictures = "auto";         // for `show`: method of drawing in a terminal
   std::optional<snapshot::Shard> shard;  // part of all scenarios
-  bool fresh = false;                    // of older versions, which skipped unchanged scenarios
 };
 
 /// Options of `lint`.
@@ -208,7 +208,6 @@ struct Option {
 /// All options, in the order of the help.
 const std::vector<Option>& option_table();
 
-/// Those of a verb.
 std::vector<const Option*> options_of(const std::string& verb);
 
 /// Arguments of `list`.
@@ -229,6 +228,14 @@ void finish(Options& options);
 /// Position of a word among those of an option. Throws UsageError with the nearest and all of them.
 std::size_t word_in(const std::string& option, const std::string& text,
                     const std::vector<std::string_view>& known);
+
+/// Reads all of a text as a number.
+template <class Number> std::optional<Number> number_in(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
+                                                                  : std::nullopt;
+}
 
 Size parse_size(const std::string& option, const std::string& text);
 FrameRange parse_frames(const std::string& option, const std::string& text);

@@ -1,5 +1,7 @@
 #include "app/cli/table.h"
 
+#include "image/font.h"
+
 namespace contactscope::app {
 
 namespace {
@@ -155,17 +157,8 @@ void print_map(const trace::Study& result, std::ostream& out) {
 
 std::size_t columns_of(std::string_view text) {
   std::size_t columns = 0;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i++]);
-    // Payload of the first byte, then six bits of each continuation byte.
-    char32_t character = lead < 0xc0 ? lead
-                                     : lead & (lead < 0xe0   ? 0x1f
-                                               : lead < 0xf0 ? 0x0f
-                                                             : 0x07);
-    while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80)
-      character = character << 6 | (static_cast<unsigned char>(text[i++]) & 0x3f);
+  for (const char32_t character : code_points(text))
     columns += is_in(kNone, character) ? 0 : (is_in(kWide, character) ? 2 : 1);
-  }
   return columns;
 }
 

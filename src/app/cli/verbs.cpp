@@ -1,7 +1,6 @@
 #include "app/cli/verbs.h"
 
 #include <cctype>
-#include <charconv>
 #include <sstream>
 
 #include "core/key_table.h"
@@ -84,14 +83,6 @@ std::string option_name(const std::string& argument) {
   if (!others.empty())
     throw UsageError(what + "it is an option of " + quoted_list(others) + "; leave it out here");
   throw UsageError(what + "it has " + quoted_list(known));
-}
-
-/// Reads all of a text as a number.
-template <class Number> std::optional<Number> number_in(const std::string& text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
-                                                                  : std::nullopt;
 }
 
 template <class Number> void check_number(const Option& option, const std::string& text) {

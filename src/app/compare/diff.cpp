@@ -1,13 +1,10 @@
-#include "app/compare/diff.h"
-
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/cli/progress.h"
-#include "app/cli/table.h"
 #include "app/cli/trace_file.h"
+#include "app/cli/verbs.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "core/at.h"
@@ -15,10 +12,10 @@
 #include "draw/scene/quantity.h"
 #include "scenario/scenario.h"
 #include "snapshot/compare_facts.h"
+#include "snapshot/compare_runs.h"
 #include "snapshot/finding.h"
 #include "snapshot/spelling.h"
 #include "trace/find.h"
-#include "view/title.h"
 
 namespace contactscope::app {
 namespace {
@@ -34,6 +31,13 @@ std::string farthest(const RunComparison& runs) {
   if (most == runs.distances.end() || most->metres == 0) return {};
   return "up to " + snapshot::spell_length(most->metres) + " in frame " +
          std::to_string(most->frame) + ", at " + most->shape;
+}
+
+/// "frame 12, crate-floor".
+std::string place_of(const snapshot::Parting& parting) {
+  const std::string frame =
+      parting.frame < 0 ? "the header" : "frame " + std::to_string(parting.frame);
+  return parting.subject.empty() ? frame : frame + ", " + parting.subject;
 }
 
 nlohmann::ordered_json json_of(const RunComparison& runs, const std::vector<std::string>& files,
@@ -91,43 +95,6 @@ void print_text(const RunComparison& runs, const std::vector<std::string>& files
   for (const std::string& note : runs.notes) std::cout << "  " << note << '\n';
 }
 
-void write_picture(const RunComparison& runs, const std::array<trace::Header, 2>& headers,
-                   const Options& options) {
-  if (!runs.parting) {
-    std::cerr << "no frame differs, so there is no picture\n";
-    return;
-  }
-  // Without folders, unless both files have the same name.
-  std::array<std::string, 2> names;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    names[i] = std::filesystem::path(options.scenarios[i]).filename().string();
-  if (names[0] == names[1]) std::copy_n(options.scenarios.begin(), 2, names.begin());
-  RunLog log;
-  Renderer renderer(options.backend, log);
-  write_png(options.picture, diff_picture(runs, headers, names, options.size, renderer));
-  if (!options.quiet) std::cerr << "a picture in " << options.picture << '\n';
-}
-
-ExitCode run_diff(const Options& options) {
-  note_interrupts();
-  const std::vector<std::string>& names = options.scenarios;
-  if (names.size() != 2)
-    throw UsageError("diff compares two traces, as contactscope diff a.jsonl b.jsonl");
-  TraceFile a(names[0], TraceFile::Passes::Several), b(names[1], TraceFile::Passes::Several);
-  Workers workers(hardware_threads());
-  const RunComparison runs = snapshot::compare_runs(a.reader(), b.reader(), workers);
-  for (const TraceFile* file : {&a, &b}) file->report_torn();
-  if (runs.distances.empty())
-    throw UsageError("no frame of " + names[0] + " has the number of a frame of " + names[1]);
-  const bool is_same = !runs.differ() && runs.alone == std::array{0, 0};
-  if (options.json)
-    std::cout << json_of(runs, names, is_same).dump() << '\n';
-  else
-    print_text(runs, names);
-  if (!options.picture.empty()) write_picture(runs, {a.header(), b.header()}, options);
-  return is_same ? ExitCode::Same : ExitCode::Different;
-}
-
 /// The distance over time, with a ring at the parting; none if no shape moved.
 std::vector<trace::Study> charts_of(const RunComparison& runs) {
   trace::Study chart;
@@ -177,19 +144,9 @@ View view_of(const RunComparison& runs) {
   return view;
 }
 
-}  // namespace
-
-Verb diff_verb() {
-  return {"diff", "Find where two runs of one scene part: the first frame, pair and stage",
-          &run_diff};
-}
-
-std::string place_of(const snapshot::Parting& parting) {
-  const std::string frame =
-      parting.frame < 0 ? "the header" : "frame " + std::to_string(parting.frame);
-  return parting.subject.empty() ? frame : frame + ", " + parting.subject;
-}
-
+/// Both runs in the frame in which they part, with one camera on the pair or shape that differs,
+/// below their distance over time. They must part in a frame, not in their headers. `headers` and
+/// `names` are those of the runs.
 Image diff_picture(const RunComparison& runs, const std::array<trace::Header, 2>& headers,
                    const std::array<std::string, 2>& names, const std::optional<Size>& size,
                    Renderer& renderer) {
@@ -217,6 +174,50 @@ Image diff_picture(const RunComparison& runs, const std::array<trace::Header, 2>
           picture);
   }
   return picture;
+}
+
+void write_picture(const RunComparison& runs, const std::array<trace::Header, 2>& headers,
+                   const Options& options) {
+  if (!runs.parting) {
+    std::cerr << "no frame differs, so there is no picture\n";
+    return;
+  }
+  // Without folders, unless both files have the same name.
+  std::array<std::string, 2> names;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    names[i] = std::filesystem::path(options.scenarios[i]).filename().string();
+  if (names[0] == names[1]) std::copy_n(options.scenarios.begin(), 2, names.begin());
+  RunLog log;
+  Renderer renderer(options.backend, log);
+  write_png(options.picture, diff_picture(runs, headers, names, options.size, renderer));
+  if (!options.quiet) std::cerr << "a picture in " << options.picture << '\n';
+}
+
+ExitCode run_diff(const Options& options) {
+  note_interrupts();
+  const std::vector<std::string>& names = options.scenarios;
+  if (names.size() != 2)
+    throw UsageError("diff compares two traces, as contactscope diff a.jsonl b.jsonl");
+  TraceFile a(names[0], TraceFile::Passes::Several), b(names[1], TraceFile::Passes::Several);
+  Workers workers(hardware_threads());
+  const RunComparison runs = snapshot::compare_runs(a.reader(), b.reader(), workers);
+  for (const TraceFile* file : {&a, &b}) file->report_torn();
+  if (runs.distances.empty())
+    throw UsageError("no frame of " + names[0] + " has the number of a frame of " + names[1]);
+  const bool is_same = !runs.differ() && runs.alone == std::array{0, 0};
+  if (options.json)
+    std::cout << json_of(runs, names, is_same).dump() << '\n';
+  else
+    print_text(runs, names);
+  if (!options.picture.empty()) write_picture(runs, {a.header(), b.header()}, options);
+  return is_same ? ExitCode::Same : ExitCode::Different;
+}
+
+}  // namespace
+
+Verb diff_verb() {
+  return {"diff", "Find where two runs of one scene part: the first frame, pair and stage",
+          &run_diff};
 }
 
 }  // namespace contactscope::app

@@ -89,9 +89,7 @@ trace::Trace rollout_request(const Scenario& scenario) {
 /// This program's solver with the scenario's settings.
 EngineRun own_rollout(const Scenario& scenario) {
   EngineRun own{kOwn, kOwn, CONTACTSCOPE_VERSION, "", "", {}};
-  std::vector<int> frames(static_cast<std::size_t>(scenario.frames));
-  std::iota(frames.begin(), frames.end(), 0);
-  own.trace = run_frames(scenario, frames);
+  own.trace = run_frames(scenario, Options{}.selected(scenario.frames));
   // Other queries than contacts claim none.
   for (trace::Frame& frame : own.trace.frames)
     std::erase_if(frame.pairs, [](const trace::Pair& pair) { return pair.query.has_value(); });

@@ -137,11 +137,10 @@ draw::ContactCell cell_of(const EngineRun& engine_run, const trace::Frame* frame
     return cell;
   }
   cell.normal = pair->manifolds.front().normal;
-  for (const trace::Manifold& manifold : pair->manifolds)
-    for (const trace::Point& point : manifold.points) {
-      cell.kept.push_back(count_of(cell.points));
-      cell.points.push_back(point);
-    }
+  for (const trace::Point& point : joined(pair->manifolds, &trace::Manifold::points)) {
+    cell.kept.push_back(count_of(cell.points));
+    cell.points.push_back(point);
+  }
   const std::string points = counted(count_of(cell.points), "point");
   cell.rows.push_back({points, "", points});
   const std::string depth = draw::spell_length(trace::deepest_point(*pair)->separation);

@@ -2,7 +2,6 @@
 
 #include "app/cli/catalogue.h"
 #include "app/cli/narrow.h"
-#include "app/cli/table.h"
 #include "app/compare/engine_runs.h"
 #include "core/at.h"
 #include "draw/scene/pairs.h"

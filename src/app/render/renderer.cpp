@@ -71,8 +71,6 @@ gl::Context& Renderer::context() {
   return *context_;
 }
 
-std::string Renderer::driver() { return context().route() + ", " + context().driver(); }
-
 gl::Rasterizer& Renderer::canvas(int width, int height) {
   gl::Context& open = context();
   if (!rasterizer_ || width != width_ || height != height_) {

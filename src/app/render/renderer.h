@@ -38,9 +38,6 @@ class Renderer {
   /// work.
   void open(int width, int height) { canvas(width, height); }
 
-  /// Backend, driver and version of OpenGL; opens it.
-  std::string driver();
-
   /// Draws the given frames of a staged sequence, with panels, and passes each drawing to `sink`.
   /// Opens no OpenGL, but Dear ImGui for panels. The summary panel shows measured pipeline times.
   /// If the sequence is all in memory, another thread draws the next frame meanwhile; `sink` is

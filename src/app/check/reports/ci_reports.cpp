@@ -67,21 +67,10 @@ void report_junit(const ReportInput& input) {
 
 /// Escapes for workflow commands: "docs.github.com, Workflow commands for GitHub Actions".
 std::string escaped(const std::string& text, bool is_property) {
+  const std::string_view special = is_property ? "%\n\r:," : "%\n\r";
   std::string all;
-  for (const char c : text) {
-    if (c == '%')
-      all += "%25";
-    else if (c == '\n')
-      all += "%0A";
-    else if (c == '\r')
-      all += "%0D";
-    else if (is_property && c == ':')
-      all += "%3A";
-    else if (is_property && c == ',')
-      all += "%2C";
-    else
-      all += c;
-  }
+  for (const char c : text)
+    all += special.find(c) == special.npos ? std::string(1, c) : printed("%%%02X", int{c});
   return all;
 }
 

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/check/reports/report.h"
+#include "core/at.h"
 #include "core/spell.h"
 
 namespace contactscope::app {
@@ -90,8 +91,7 @@ std::string what_to_do(const ReportInput& input, const snapshot::Tally& counts) 
     }
   if (scenario.empty()) return fixed;
   const int absent = count(FindingKind::New) + count(FindingKind::Missing);
-  int all = 0;
-  for (const Cause& cause : causes) all += static_cast<int>(cause.findings.size());
+  const int all = count_of(joined(causes, &Cause::findings));
   const std::string store = "contactscope check --write-missing stores what is missing";
   const std::string review = "contactscope review shows them one by one, " +
                              accept_command(input, {scenario}) + " accepts one";

@@ -5,7 +5,6 @@
 #include "draw/staging.h"
 #include "image/image.h"
 #include "image/png.h"
-#include "image/whole_file.h"
 #include "trace/trace.h"
 
 /// Formats of `render --format`: a row in formats.cpp and a file per format.
@@ -32,55 +31,13 @@ struct ReelPlan {
 /// A file of a whole sequence, written picture by picture.
 class Reel {
  public:
-  Reel() = default;
   virtual ~Reel() = default;
-  Reel(const Reel&) = delete;
-  Reel& operator=(const Reel&) = delete;
 
   /// Adds the next picture; `frame` is valid only during the call.
   virtual void add(const Shot& shot, const trace::Frame& frame) = 0;
   /// Writes the file, which is complete or absent.
   virtual void finish() = 0;
 };
-
-/// Display time of a picture. Milliseconds of a sequence add up to its rounded duration.
-struct Duration {
-  double seconds = 0;
-  int milliseconds = 0;
-};
-
-/// An animated raster file being written.
-class Animation {
- public:
-  Animation() = default;
-  virtual ~Animation() = default;
-  Animation(const Animation&) = delete;
-  Animation& operator=(const Animation&) = delete;
-
-  virtual void add(const Image& image, const Duration& shown) = 0;
-  virtual void finish() = 0;
-};
-
-/// An animation whose `encoder` returns the whole file at the end, with `about` in it.
-template <class Encoder, class About> class EncodedAnimation : public Animation {
- public:
-  EncodedAnimation(const ReelPlan& plan, About about)
-      : path_(plan.path), about_(std::move(about)) {}
-
-  void add(const Image& image, const Duration& shown) override {
-    encoder_.add(image, shown.milliseconds);
-  }
-  void finish() override { write_whole_file(path_, encoder_.finish(about_)); }
-
- private:
-  std::string path_;
-  About about_;
-  Encoder encoder_;
-};
-
-/// Feeds pictures to an animation on another thread, one behind the caller. Each is shown until the
-/// time of the next frame; the last as long as the one before it.
-std::unique_ptr<Reel> reel_of(const ReelPlan& plan, std::unique_ptr<Animation> animation);
 
 /// A file format. It has `encode`, `begin` or both: `encode` for a single picture, `begin` for
 /// several.

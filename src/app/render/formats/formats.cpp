@@ -6,6 +6,7 @@
 #include "core/key_table.h"
 #include "image/png.h"
 #include "image/webp.h"
+#include "image/whole_file.h"
 #include "page/page.h"
 #include "snapshot/store.h"
 #include "vector/font_subset.h"
@@ -19,10 +20,17 @@ namespace {
 /// For frames whose times do not increase.
 constexpr double kNoTime = 1.0 / 25;
 
-class AnimationReel : public Reel {
+template <class MadeReel> std::unique_ptr<Reel> reel_of(const ReelPlan& plan) {
+  return std::make_unique<MadeReel>(plan);
+}
+
+/// Feeds pictures to an encoder on another thread, one behind the caller. Each is shown until the
+/// time of the next frame; the last as long as the one before it. The milliseconds of a sequence
+/// add up to its rounded duration. The file has `kAbout` of its origin in it.
+template <class Encoder, auto kAbout> class AnimationReel : public Reel {
  public:
-  AnimationReel(std::optional<double> fps, std::unique_ptr<Animation> animation)
-      : fps_(fps), animation_(std::move(animation)) {}
+  explicit AnimationReel(const ReelPlan& plan)
+      : fps_(plan.fps), path_(plan.path), origin_(plan.origin) {}
 
   void add(const Shot& shot, const trace::Frame& frame) override {
     if (held_) show(frame.time - time_);
@@ -33,7 +41,7 @@ class AnimationReel : public Reel {
   void finish() override {
     if (held_) show(last_);
     wait();
-    animation_->finish();
+    write_whole_file(path_, encoder_.finish(kAbout(origin_)));
   }
 
  private:
@@ -42,12 +50,11 @@ class AnimationReel : public Reel {
     last_ = seconds > 0 ? seconds : kNoTime;
     const double shown = fps_ ? 1 / *fps_ : last_;
     const auto milliseconds = [](double time) { return std::lround(1000 * time); };
-    const Duration duration{shown,
-                            static_cast<int>(milliseconds(begin_ + shown) - milliseconds(begin_))};
+    const auto duration = static_cast<int>(milliseconds(begin_ + shown) - milliseconds(begin_));
     begin_ += shown;
     wait();
     running_ = std::async(std::launch::async, [this, image = std::move(held_), duration] {
-      animation_->add(*image, duration);
+      encoder_.add(*image, duration);
     });
     held_.reset();
   }
@@ -57,7 +64,9 @@ class AnimationReel : public Reel {
   }
 
   std::optional<double> fps_;
-  std::unique_ptr<Animation> animation_;
+  std::string path_;
+  PictureOrigin origin_;
+  Encoder encoder_;
   std::shared_ptr<const Image> held_{};
   double time_ = 0, last_ = kNoTime, begin_ = 0;  // seconds
   std::future<void> running_{};                   // declared last: its destructor waits
@@ -99,11 +108,7 @@ const Format kApngFormat{
     .extension = ".apng",
     .what = "an animated PNG, one file per sequence",
     .needs_pixels = true,
-    .begin =
-        [](const ReelPlan& plan) {
-          return reel_of(plan, std::make_unique<EncodedAnimation<ApngEncoder, PngText>>(
-                                   plan, entries_of(plan.origin)));
-        },
+    .begin = &reel_of<AnimationReel<ApngEncoder, entries_of>>,
 };
 
 const Format kSvgFormat{
@@ -154,11 +159,7 @@ const Format kWebpFormat{
     .what = "lossless WebP, animated if there are several frames",
     .needs_pixels = true,
     .encode = [](const Shot& shot) { return encode_webp(*shot.image, xmp_of(shot.origin)); },
-    .begin =
-        [](const ReelPlan& plan) {
-          return reel_of(plan, std::make_unique<EncodedAnimation<WebpAnimation, std::string>>(
-                                   plan, xmp_of(plan.origin)));
-        },
+    .begin = &reel_of<AnimationReel<WebpAnimation, xmp_of>>,
 };
 
 namespace {
@@ -195,9 +196,7 @@ const Format kHtmlFormat{
     .name = "html",
     .extension = ".html",
     .what = "a page with a slider and the trace's facts, one file per sequence",
-    .begin = [](const ReelPlan& plan) -> std::unique_ptr<Reel> {
-      return std::make_unique<HtmlReel>(plan);
-    },
+    .begin = &reel_of<HtmlReel>,
     .require = [] { vector::font_subset(FontWeight::Regular, {U'a'}); },
 };
 
@@ -223,9 +222,7 @@ const Format kViewerFormat{
     .extension = ".viewer.html",
     .what = "a page in 3D with a timeline, facts and search, one file per sequence",
     .needs_drawings = false,
-    .begin = [](const ReelPlan& plan) -> std::unique_ptr<Reel> {
-      return std::make_unique<ViewerReel>(plan);
-    },
+    .begin = &reel_of<ViewerReel>,
     .require =
         [] {
           if (viewer::three_script().empty())
@@ -234,9 +231,5 @@ const Format kViewerFormat{
                 "(apt-get install libjs-three) and build again");
         },
 };
-
-std::unique_ptr<Reel> reel_of(const ReelPlan& plan, std::unique_ptr<Animation> animation) {
-  return std::make_unique<AnimationReel>(plan.fps, std::move(animation));
-}
 
 }  // namespace contactscope::app
