@@ -227,6 +227,46 @@ S collide_hull_mesh(const Hull<S>& a, const Mesh<S>& b, const Pose<S>& b_in_a,
                                 is_clear);
 }
 
+template <class S> void Recorder<S>::triangle_begins() {
+  pair_.sat.reset();
+  pair_.clip.reset();
+}
+
+template <class S>
+void Recorder<S>::triangle_ends(int triangle, S separation, bool touches,
+                                const CollideOptions& options) {
+  const auto rank = [](bool any_touches, S at) { return std::pair(!any_touches, at); };
+  const bool is_next =
+      options.recorded_triangle >= 0
+          ? triangle == options.recorded_triangle
+          : of_triangle_.triangle < 0 ||
+                rank(touches, separation) < rank(of_triangle_.touches, of_triangle_.separation);
+  if (is_next)
+    of_triangle_ = {triangle, touches, separation, std::move(pair_.sat), std::move(pair_.clip)};
+}
+
+template <class S> void Recorder<S>::triangles_end() {
+  auto& [triangle, touches, separation, sat, clip] = of_triangle_;
+  pair_.sat = std::move(sat);
+  pair_.clip = std::move(clip);
+  if (!pair_.sat && !pair_.clip) return;
+  pair_.triangle = triangle;
+  if (pair_.sat) {
+    if (pair_.sat->face_b) pair_.sat->face_b->face = triangle;
+    if (pair_.sat->edge) pair_.sat->edge->b += 3 * triangle;
+    for (trace::EdgePair& edges : pair_.sat->edge_pairs) edges.b += 3 * triangle;
+  }
+  if (pair_.clip)
+    for (trace::ClipFace* const face : {&pair_.clip->reference, &pair_.clip->incident})
+      if (face->shape == pair_.b) face->face = triangle;
+}
+
+template void Recorder<float>::triangle_begins();
+template void Recorder<float>::triangle_ends(int, float, bool, const CollideOptions&);
+template void Recorder<float>::triangles_end();
+template void Recorder<double>::triangle_begins();
+template void Recorder<double>::triangle_ends(int, double, bool, const CollideOptions&);
+template void Recorder<double>::triangles_end();
 CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_sphere_mesh, collide_capsule_mesh, collide_hull_mesh);
 
 }  // namespace contactscope
