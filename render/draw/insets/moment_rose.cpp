@@ -1,6 +1,7 @@
 #include "core/at.h"
 #include "core/spell.h"
 #include "draw/insets/contact_cells.h"
+#include "draw/scene/points.h"
 
 // A unit force presses a body on contact points, through their middle c. A moment that tilts the
 // body towards u moves that force along u, at most to the farthest point: the points resist
@@ -48,11 +49,9 @@ void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark) 
   for (const auto& [points, width, color] :
        {std::tuple{&all, 1.5, kDropped}, {&kept, 2.5, kContact}}) {
     std::vector<Point2> rim;
-    for (int i = 0; i <= 360; ++i) {
-      const double angle = i * std::numbers::pi / 180;
-      const Vec2d toward(std::cos(angle), std::sin(angle));
+    for (const Vec2d& toward : circle(360, 361)) {
       rim.push_back(pixel(center + std::max(0.0, longest_arm(*points, center, toward)) * toward));
-      if (i == 0) continue;
+      if (rim.size() == 1) continue;
       plane.fill({pixel(center), rim[rim.size() - 2], rim.back()}, with_alpha(color, 0.25f));
     }
     plane.path(rim, width, color);

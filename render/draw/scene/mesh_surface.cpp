@@ -165,7 +165,8 @@ void draw_touched_triangles(const Scene& scene, Sketch& sketch) {
     const Color color = incident ? kIncidentFace : kReferenceFace;
     if (has_clipping) {
       if (is_clipped(mesh->traced().name, triangle)) continue;
-      sketch.face(mesh->polygon(triangle), with_alpha(color, kPale), {1.5f, color, incident});
+      sketch.face(mesh->polygon(triangle), with_alpha(kReferenceFace, kPale),
+                  {1.5f, kReferenceFace});
       sketch.explain(kTouchedSwatch, "another triangle touched",
                      near_corner(mesh->polygon(triangle)));
       continue;

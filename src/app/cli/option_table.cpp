@@ -247,8 +247,7 @@ const std::vector<Option>& option_table() {
        "Draw the moments that the kept points resist, by direction, instead of the area"},
       {"--triangle", "NUMBER", "render trace", &Options::triangle,
        "Triangle of a mesh whose separating axes and clipping are recorded and drawn, instead of "
-       "the "
-       "deepest contact's",
+       "the deepest contact's",
        between(0, 1e6)},
       {"--time-limit", "SECONDS", "versus shrink", &Options::time_limit,
        "Time that the program of an engine may take", between(0.01, 1e6)},
