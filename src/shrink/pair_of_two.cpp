@@ -38,27 +38,42 @@ std::string spell_points(const std::vector<Vec3d>& points) {
   return spell_list(points, [](const Vec3d& point) { return spell(point); });
 }
 
-/// By kind.
-constexpr const char* kTypes[] = {"box", "hull", "sphere", "capsule", "plane", "mesh"};
-
 void add_shape(const SmallShape& shape, std::string& text) {
   const auto add = [&](const std::string& key, const std::string& value) {
     text += key + " = " + value + "\n";
   };
   text += "\n[shapes." + shape.name + "]\n";
-  using enum SmallShape::Kind;
-  const auto is = [&](auto... kinds) { return ((shape.kind == kinds) || ...); };
-  add("type", quoted(kTypes[static_cast<std::size_t>(shape.kind)]));
-  if (is(Box)) add("half_extents", spell(shape.half_extents));
-  if (is(Hull, Mesh)) add("vertices", spell_points(shape.vertices));
-  if (is(Capsule)) add("points", spell_points(shape.vertices));
-  if (is(Sphere, Capsule)) add("radius", spell(shape.radius));
-  if (is(Plane)) add("normal", spell(shape.normal));
-  if (is(Plane)) add("offset", spell(shape.offset));
-  if (is(Mesh))
-    add("triangles", spell_list(shape.triangles, [](const std::array<int, 3>& corners) {
-          return spell_list(corners, [](int corner) { return std::to_string(corner); });
-        }));
+  switch (shape.kind) {
+    case SmallShape::Kind::Box:
+      add("type", "\"box\"");
+      add("half_extents", spell(shape.half_extents));
+      break;
+    case SmallShape::Kind::Hull:
+      add("type", "\"hull\"");
+      add("vertices", spell_points(shape.vertices));
+      break;
+    case SmallShape::Kind::Sphere:
+      add("type", "\"sphere\"");
+      add("radius", spell(shape.radius));
+      break;
+    case SmallShape::Kind::Capsule:
+      add("type", "\"capsule\"");
+      add("points", spell_points(shape.vertices));
+      add("radius", spell(shape.radius));
+      break;
+    case SmallShape::Kind::Plane:
+      add("type", "\"plane\"");
+      add("normal", spell(shape.normal));
+      add("offset", spell(shape.offset));
+      break;
+    case SmallShape::Kind::Mesh:
+      add("type", "\"mesh\"");
+      add("vertices", spell_points(shape.vertices));
+      add("triangles", spell_list(shape.triangles, [](const std::array<int, 3>& corners) {
+            return spell_list(corners, [](int corner) { return std::to_string(corner); });
+          }));
+      break;
+  }
   if (!shape.position.isZero(0)) add("position", spell(shape.position));
   const auto& n = shape.turn.numbers;
   if (shape.turn.form == Turn::Form::Quaternion)

@@ -58,16 +58,12 @@ class Shrinker {
     return true;
   }
 
-  /// ddmin over the entries of list_of(pair).
-  template <class ListOf> void leave_out(const ListOf& list_of) {
-    const auto count = [&] { return count_of(list_of(best_)); };
+  /// ddmin over `count` parts; without(pair, first, last) removes a range of them.
+  template <class Count, class Without> void leave_out(const Count& count, const Without& without) {
     for (int size = std::max(1, count() / 2);; size /= 2) {
       for (int first = 0; first < count();) {
         PairOfTwo tried = best_;
-        auto& list = list_of(tried);
-        list.erase(list.begin() + first, list.begin() + std::min(first + size, count()));
-        for (SmallShape* const shape : {&tried.a, &tried.b})
-          if (shape->kind == SmallShape::Kind::Mesh) drop_unused(*shape);
+        without(tried, first, std::min(first + size, count()));
         if (!attempt(tried)) first += size;
       }
       if (size <= 1) return;
@@ -90,10 +86,21 @@ class Shrinker {
   }
 
   void drop_parts(SmallShape PairOfTwo::*side) {
-    if ((best_.*side).kind == SmallShape::Kind::Mesh)
-      leave_out([&](PairOfTwo & pair) -> auto& { return (pair.*side).triangles; });
-    if ((best_.*side).kind == SmallShape::Kind::Hull)
-      leave_out([&](PairOfTwo & pair) -> auto& { return (pair.*side).vertices; });
+    if ((best_.*side).kind == SmallShape::Kind::Mesh) {
+      leave_out([&] { return count_of((best_.*side).triangles); },
+                [&](PairOfTwo& pair, int first, int last) {
+                  auto& triangles = (pair.*side).triangles;
+                  triangles.erase(triangles.begin() + first, triangles.begin() + last);
+                  drop_unused(pair.*side);
+                });
+    }
+    if ((best_.*side).kind == SmallShape::Kind::Hull) {
+      leave_out([&] { return count_of((best_.*side).vertices); },
+                [&](PairOfTwo& pair, int first, int last) {
+                  auto& vertices = (pair.*side).vertices;
+                  vertices.erase(vertices.begin() + first, vertices.begin() + last);
+                });
+    }
   }
 
   /// Replaces a capsule by a ball at one of its ends.
@@ -127,13 +134,23 @@ class Shrinker {
 
   void drop_claims() {
     if (!best_.claims) return;
-    leave_out([](PairOfTwo & pair) -> auto& { return *pair.claims; });
+    leave_out([&] { return count_of(*best_.claims); },
+              [](PairOfTwo& pair, int first, int last) {
+                pair.claims->erase(pair.claims->begin() + first, pair.claims->begin() + last);
+              });
     for (std::size_t m = 0; m < best_.claims->size(); ++m)
-      leave_out([&](PairOfTwo & pair) -> auto& { return (*pair.claims)[m].points; });
+      leave_out([&] { return count_of((*best_.claims)[m].points); },
+                [&](PairOfTwo& pair, int first, int last) {
+                  auto& points = (*pair.claims)[m].points;
+                  points.erase(points.begin() + first, points.begin() + last);
+                });
   }
 
   void drop_settings() {
-    leave_out([](PairOfTwo & pair) -> auto& { return pair.settings; });
+    leave_out([&] { return count_of(best_.settings); },
+              [](PairOfTwo& pair, int first, int last) {
+                pair.settings.erase(pair.settings.begin() + first, pair.settings.begin() + last);
+              });
   }
 
   static Turn turn_of(const Quatd& rotation) {
