@@ -127,13 +127,13 @@ void PrimitiveVertices::add_polygon(Painter painter, int page, Vertex vertex,
   if (batches.empty() || batches.back().painter != painter || batches.back().page != page)
     batches.push_back({painter, page, static_cast<std::uint32_t>(indices.size()), 0});
   const std::uint32_t first = static_cast<std::uint32_t>(vertices.size());
-  for (const Point2& corner : corners) {
-    vertex.position[0] = corner.x;
-    vertex.position[1] = corner.y;
-    vertices.push_back(vertex);
+  vertices.resize(first + corners.size(), vertex);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    vertices[first + i].position[0] = corners[i].x;
+    vertices[first + i].position[1] = corners[i].y;
   }
   for (std::uint32_t i = 2; i < corners.size(); ++i)
-    indices.insert(indices.end(), {first, first + i - 1, first + i});
+    for (const std::uint32_t corner : {first, first + i - 1, first + i}) indices.push_back(corner);
   batches.back().count += static_cast<std::uint32_t>(3 * (corners.size() - 2));
 }
 

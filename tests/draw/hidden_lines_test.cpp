@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "draw/scene/sketch.h"
+#include "draw/scene/solid.h"
 #include "support/random_geometry.h"
 
 namespace contactscope::draw {
@@ -131,6 +131,124 @@ TEST(HiddenLines, CurvesWithoutAPieceDrawNothing) {
   sketch.curves.push_back({{{0.1, 0.2, 0}, {0.5, 0.2, 0}}, {.width = 2}});
   compose(sketch, from_front(), make_layout(400, 400, false, {}), drawing);
   EXPECT_FALSE(drawing.primitives.empty());
+}
+
+/// Boxes at random places that are drawn as small opaque solids.
+struct Boxes {
+  trace::Shape box;
+  ShapeMesh mesh;
+  std::vector<Pose<double>> poses;
+  std::vector<Vec3d> halves;
+  Camera camera = Camera::perspective({1, 2, 9}, {0, 0, 0}, Vec3d::UnitY(), 0.6, kViewport);
+  Sketch sketch;
+  std::vector<std::size_t> surfaces;  // number of the sketch's surfaces before each box
+
+  Boxes(std::uint64_t seed, int count) {
+    test::Random random(seed);
+    for (int i = 0; i < count; ++i) {
+      const Vec3d half = random.vector(0.1, 0.8);
+      box = {};
+      box.type = "box";
+      for (int k = 0; k < 8; ++k)
+        box.vertices.push_back(
+            half.cwiseProduct(Vec3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1)));
+      box.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                   {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+      mesh = make_mesh(box);
+      PlacedShape placed{&mesh, random.pose(2), {}};
+      for (const Vec3d& vertex : box.vertices)
+        placed.vertices.push_back(placed.pose.transform(vertex));
+      surfaces.push_back(sketch.surfaces.size());
+      draw_small_solid(camera, placed, kShapeA, sketch);
+      poses.push_back(placed.pose);
+      halves.push_back(half);
+    }
+  }
+
+  /// Whether a box, larger by a distance, meets the view ray of a point before it; by slabs.
+  bool is_before(std::size_t i, const Vec3d& point, double larger) const {
+    const Vec3d from = poses[i].inverse_transform(camera.eye()),
+                to = poses[i].inverse_transform(point);
+    double first = 0, last = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double half = halves[i][axis] + larger, along = to[axis] - from[axis];
+      const double one = (-half - from[axis]) / along, other = (half - from[axis]) / along;
+      first = std::max(first, std::min(one, other));
+      last = std::min(last, std::max(one, other));
+    }
+    return first < last;
+  }
+  bool is_before(const Vec3d& point, double larger) const {
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      if (is_before(i, point, larger)) return true;
+    return false;
+  }
+};
+
+constexpr double kNearBorder = 2e-3;  // metres: wider than a shadow's border
+
+TEST(SmallSolids, HideWhatIsBehindThem) {
+  for (const int count : {3, 30}) {  // few shadows, and a grid of many
+    const Boxes boxes(11, count);
+    EXPECT_TRUE(boxes.sketch.occluders.empty());
+    const HiddenLines lines(boxes.camera, {}, boxes.sketch.shadows);
+    test::Random random(12);
+    int hidden_count = 0, seen_count = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3d p = random.vector(-2.5, 2.5);
+      if (boxes.is_before(p, kNearBorder) != boxes.is_before(p, -kNearBorder)) continue;
+      const bool hidden = lines.split(p, p + Vec3d(1e-5, 0, 0)).front().hidden;
+      ASSERT_EQ(hidden, boxes.is_before(p, 0)) << p.transpose();
+      (hidden ? hidden_count : seen_count)++;
+    }
+    EXPECT_GT(hidden_count, 200);
+    EXPECT_GT(seen_count, 200);
+  }
+}
+
+TEST(SmallSolids, DropSurfacesThatOneOfThemHides) {
+  const Boxes boxes(13, 30);
+  const HiddenLines lines(boxes.camera, {}, boxes.sketch.shadows);
+  test::Random random(14);
+  int dropped = 0, kept = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3d middle = random.vector(-2.5, 2.5);
+    Surface surface;
+    for (int k = 0; k < 3; ++k) surface.polygon.push_back(middle + random.vector(-0.3, 0.3));
+    // All corners behind one box: by a border less or more than they must be.
+    const auto hidden = [&](double larger) {
+      for (std::size_t b = 0; b < boxes.poses.size(); ++b)
+        if (std::ranges::all_of(surface.polygon, [&](const Vec3d& corner) {
+              return boxes.is_before(b, corner, larger);
+            }))
+          return true;
+      return false;
+    };
+    if (hidden(kNearBorder) != hidden(-kNearBorder)) continue;
+    ASSERT_EQ(lines.hides(surface), hidden(0)) << middle.transpose();
+    (hidden(0) ? dropped : kept)++;
+  }
+  EXPECT_GT(dropped, 200);
+  EXPECT_GT(kept, 200);
+}
+
+TEST(SmallSolids, KeepTheirOwnSurfacesAndThoseOfTransparentOnes) {
+  Boxes boxes(15, 30);
+  const HiddenLines all(boxes.camera, {}, boxes.sketch.shadows);
+  for (std::size_t i = 0; i < boxes.poses.size(); ++i) {
+    const bool in_front = [&] {  // no other box hides a part of this one
+      for (const Vec3d& corner : boxes.sketch.surfaces[boxes.surfaces[i]].polygon)
+        for (std::size_t b = 0; b < boxes.poses.size(); ++b)
+          if (b != i && boxes.is_before(b, corner, kNearBorder)) return false;
+      return true;
+    }();
+    if (!in_front) continue;
+    EXPECT_FALSE(all.hides(boxes.sketch.surfaces[boxes.surfaces[i]])) << i;
+  }
+  for (ConvexShadow& shadow : boxes.sketch.shadows) shadow.opaque = false;
+  const HiddenLines transparent(boxes.camera, {}, boxes.sketch.shadows);
+  EXPECT_GT(std::ranges::count_if(boxes.sketch.surfaces, [&](auto& s) { return all.hides(s); }), 5);
+  for (const Surface& surface : boxes.sketch.surfaces) EXPECT_FALSE(transparent.hides(surface));
 }
 
 }  // namespace

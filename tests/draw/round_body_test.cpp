@@ -103,7 +103,7 @@ TEST(RoundBody, AnEyeInsideSeesNothingOfIt) {
   const Camera camera = looking_from({0, 0.5, 2});
   EXPECT_TRUE(around.outline(camera).empty());
   EXPECT_TRUE(around.front(camera).empty());
-  EXPECT_TRUE(around.shadow(camera).empty());
+  EXPECT_TRUE(around.shadow(camera).bounds.empty());
 }
 
 TEST(RoundBody, FacetsCoverWhatTheOutlineEncloses) {

@@ -11,26 +11,28 @@ namespace {
 /// Number of lines that a chart can distinguish.
 constexpr std::size_t kMaxPairLines = 4;
 
-/// Name of the deepest pair in a frame; the first if equal, empty without contact.
-std::string deepest_of(const std::vector<PairSeries>& pairs, std::size_t frame) {
-  const PairSeries* most = nullptr;
-  for (const PairSeries& series : pairs)
-    if (const double depth = series.penetration[frame];
-        most == nullptr ? !std::isnan(depth) : depth > most->penetration[frame])
-      most = &series;
-  return most == nullptr ? "" : most->name;
-}
-
-/// A pair that touches in some frame: index of its series, and rows of its ids.
+/// A pair that touches in some frame: its place in their order, and rows of its ids.
 struct KnownPair {
   std::size_t index;
   std::map<std::string_view, std::size_t> rows{};
 };
 
+/// The deepest pair of a frame; the first if equal.
+struct Deepest {
+  const trace::Pair* pair = nullptr;
+  double depth = 0;  // metres
+};
+
+std::string name_of_pair(const trace::Pair& pair) {
+  return name_in_words(pair.a) + " and " + name_in_words(pair.b);
+}
+
 /// Series of a label during the pass over the frames.
 struct Group {
   TimeSeries series;
-  std::vector<PairSeries> pairs;  // in order of their first contact
+  std::vector<PairSeries> pairs;  // the first in order of their first contact
+  std::size_t touching = 0;       // number of pairs that touch in some frame, or more than lines
+  std::vector<Deepest> deepest;   // by frame
   std::unordered_map<std::string_view, std::unordered_map<std::string_view, KnownPair>> known;
   std::unordered_set<std::string_view> bodies;
   std::string query, last_query;  // of the current and the previous frame
@@ -49,38 +51,47 @@ std::string measured_by(const trace::Pair& pair) {
 void add_pair(const trace::Pair& pair, std::size_t f, std::size_t frames, bool with_ids,
               Group& group) {
   TimeSeries& series = group.series;
-  for (const std::string* body : {&pair.a, &pair.b}) group.bodies.insert(*body);
   if (group.query.empty()) group.query = measured_by(pair);
-  const std::vector<PairPoint> contacts = all_points(pair);
-  if (contacts.empty() && (!pair.reduction || pair.reduction->points.empty())) return;
-  const auto [entry, is_new] =
-      group.known[pair.a].try_emplace(pair.b, KnownPair{group.pairs.size()});
-  if (is_new) {
-    const std::vector<double> none(frames, std::numeric_limits<double>::quiet_NaN());
-    group.pairs.push_back({name_in_words(pair.a) + " and " + name_in_words(pair.b), none, none});
+  if (std::ranges::all_of(pair.manifolds, &std::vector<trace::Point>::empty,
+                          &trace::Manifold::points) &&
+      (!pair.reduction || pair.reduction->points.empty()))
+    return;
+  KnownPair* own = nullptr;
+  if (with_ids || group.touching <= kMaxPairLines) {
+    const auto [entry, is_new] = group.known[pair.a].try_emplace(pair.b, KnownPair{group.touching});
+    if (is_new && group.touching++ < kMaxPairLines) {
+      const std::vector<double> none(frames, std::numeric_limits<double>::quiet_NaN());
+      group.pairs.push_back({name_of_pair(pair), none, none});
+    }
+    own = &entry->second;
   }
-  KnownPair& own = entry->second;
+  PairSeries* const line =
+      own != nullptr && own->index < group.pairs.size() ? &group.pairs[own->index] : nullptr;
   const auto note_id = [&](const trace::Point& point, IdState state) {
     if (!with_ids) return;
-    const auto [row, is_new_id] = own.rows.try_emplace(point.id, series.ids.size());
+    const auto [row, is_new_id] = own->rows.try_emplace(point.id, series.ids.size());
     if (is_new_id) {
       series.ids.emplace_back(frames, IdState::Absent);
-      series.id_pairs.push_back(own.index);
+      series.id_pairs.push_back(own->index);
     }
     IdState& now = series.ids[row->second][f];
     now = std::max(now, state);
   };
-  for (const PairPoint& any : contacts) {
-    const trace::Point& point = *any.point;
-    const double depth = -point.separation, load = point.impulse ? point.impulse->normal : 0;
-    series.penetration[f] = std::max(series.penetration[f], depth);
-    series.points[f] += 1;
-    series.impulse[f] += load;
-    double& own_depth = group.pairs[own.index].penetration[f];
-    double& own_impulse = group.pairs[own.index].impulse[f];
-    own_depth = std::fmax(own_depth, std::max(0.0, depth));  // a number wins over NaN
-    own_impulse = (std::isnan(own_impulse) ? 0.0 : own_impulse) + load;
-    note_id(point, IdState::Kept);
+  Deepest& most = group.deepest[f];
+  for (const trace::Manifold& manifold : pair.manifolds) {
+    for (const trace::Point& point : manifold.points) {
+      const double depth = -point.separation, load = point.impulse ? point.impulse->normal : 0;
+      series.penetration[f] = std::max(series.penetration[f], depth);
+      series.points[f] += 1;
+      series.impulse[f] += load;
+      if (most.pair == nullptr || depth > most.depth) most = {&pair, std::max(0.0, depth)};
+      note_id(point, IdState::Kept);
+      if (line == nullptr) continue;
+      double& own_depth = line->penetration[f];
+      double& own_impulse = line->impulse[f];
+      own_depth = std::fmax(own_depth, std::max(0.0, depth));  // a number wins over NaN
+      own_impulse = (std::isnan(own_impulse) ? 0.0 : own_impulse) + load;
+    }
   }
   if (!pair.reduction) return;
   for (const trace::Point& point : pair.reduction->points) note_id(point, IdState::Dropped);
@@ -102,6 +113,8 @@ bool lacks_energies(const std::vector<trace::Frame>& frames) {
 }  // namespace
 
 std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames, bool with_ids) {
+  const bool solved = std::ranges::any_of(
+      frames, [](const trace::Frame& frame) { return frame.solver.has_value(); });
   std::vector<Group> groups;  // by label, in order of appearance
   for (std::size_t f = 0; f < frames.size(); ++f) {
     for (const trace::Pair& pair : frames[f].pairs) {
@@ -113,7 +126,9 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames, boo
         series.name = pair.label;
         for (auto* values : {&series.penetration, &series.impulse, &series.points, &series.energy})
           values->assign(frames.size(), 0);
+        group->deepest.resize(frames.size());
       }
+      if (solved) group->bodies.insert({pair.a, pair.b});
       add_pair(pair, f, frames.size(), with_ids, *group);
     }
     for (Group& group : groups) {
@@ -122,8 +137,6 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames, boo
       group.last_query = std::exchange(group.query, "");
     }
   }
-  const bool solved = std::ranges::any_of(
-      frames, [](const trace::Frame& frame) { return frame.solver.has_value(); });
   for (std::size_t f = 0; f < frames.size(); ++f) {
     if (!frames[f].solver) continue;
     for (const trace::Body& body : frames[f].solver->bodies) {
@@ -137,9 +150,9 @@ std::vector<TimeSeries> time_series(const std::vector<trace::Frame>& frames, boo
   std::vector<TimeSeries> all;
   for (Group& group : groups) {
     TimeSeries& series = all.emplace_back(std::move(group.series));
-    if (group.pairs.size() > kMaxPairLines) {
-      for (std::size_t f = 0; f < frames.size(); ++f)
-        series.deepest.push_back(deepest_of(group.pairs, f));
+    if (group.touching > kMaxPairLines) {
+      for (const Deepest& most : group.deepest)
+        series.deepest.push_back(most.pair == nullptr ? "" : name_of_pair(*most.pair));
     } else if (group.pairs.size() > 1) {
       series.pairs = std::move(group.pairs);
     }

@@ -174,10 +174,11 @@ void draw_shapes(const Scene& scene, Sketch& sketch) {
     if (shape.is_mesh()) {
       draw_mesh(scene, shape, fill, sketch);
     } else {
-      const auto draw = shape.traced().half_space                        ? draw_plane
-                        : shape.traced().radius > 0 && scene.scales.heap ? draw_small_round
-                        : shape.traced().radius > 0                      ? draw_round
-                                                                         : draw_solid;
+      const bool heap = scene.scales.heap;
+      const auto draw = shape.traced().half_space   ? draw_plane
+                        : shape.traced().radius > 0 ? (heap ? draw_small_round : draw_round)
+                        : heap                      ? draw_small_solid
+                                                    : draw_solid;
       draw(scene.camera, shape, fill, sketch);
     }
     if (const trace::FieldSlice* slice = slice_of(scene, shape)) {

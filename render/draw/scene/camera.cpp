@@ -64,7 +64,10 @@ Vec3d key_light(const Camera& camera) {
       .normalized();
 }
 
-Vec3d Camera::to_camera(const Vec3d& point) const { return axes_.transpose() * (point - eye_); }
+Vec3d Camera::to_camera(const Vec3d& point) const {
+  const Vec3d offset = point - eye_;  // Eigen's product with a transposed matrix is slow
+  return {axes_.col(0).dot(offset), axes_.col(1).dot(offset), axes_.col(2).dot(offset)};
+}
 
 Point2 Camera::to_pixels(const Vec3d& p) const {
   const double scale = perspective_ ? scale_ / p.z() : scale_;
@@ -177,6 +180,7 @@ std::optional<Segment2> clip_segment(const Rect& rect, const Point2& from, const
   if (std::max(from.x, to.x) < rect.x || std::min(from.x, to.x) > rect.right() ||
       std::max(from.y, to.y) < rect.y || std::min(from.y, to.y) > rect.bottom())
     return std::nullopt;
+  if (rect.contains(from) && rect.contains(to)) return Segment2{from, to};
   double first = 0, last = 1;
   const std::array<double, 4> at_from = distances(rect, from), at_to = distances(rect, to);
   for (std::size_t border = 0; border < 4; ++border) {

@@ -1,3 +1,5 @@
+#include <future>
+
 #include "core/at.h"
 #include "core/convex_polygon.h"
 #include "draw/scene/labels.h"
@@ -28,7 +30,8 @@ struct Composer {
   const HiddenLines& hidden_lines;
   Pen pen{drawing, layout.scale, 0};
   LabelPlacer placer{layout.view};
-  std::size_t current = 0;  // index of the sketch part that is being drawn
+  std::vector<std::vector<Span>> line_spans{};  // of each line; none if it is not in the view
+  std::size_t current = 0;                      // index of the sketch part that is being drawn
   // Ranges of x where the upper and the lower border of the view cut off bodies.
   std::array<std::optional<std::pair<float, float>>, 2> cuts{};
 
@@ -39,7 +42,12 @@ struct Composer {
       placer.block(pixel(inset.x + half, middle), pixel(inset.right() - half, middle),
                    static_cast<float>(inset.height));
     }
-    draw_surfaces();
+    std::future<std::vector<Surface>> ordered = order_surfaces();
+    for (const Line& line : sketch.lines)
+      line_spans.push_back(project_segment(camera, line.from, line.to)
+                               ? spans_of(line.from, line.to, line.style)
+                               : std::vector<Span>{});
+    draw_surfaces(ordered.get());
     each_of(&Sketch::curves, &SketchPart::curves, "line", &Composer::draw_curve);
     each_of(&Sketch::lines, &SketchPart::lines, "line", &Composer::draw_line);
     draw_breaks();
@@ -72,16 +80,26 @@ struct Composer {
     }
   }
 
-  // Sorting cuts and reorders surfaces, so each carries the number of its part.
-  void draw_surfaces() {
-    std::vector<Surface> surfaces = sketch.surfaces;
+  // Sorting cuts and reorders surfaces, so each carries the number of its part. Many are sorted on
+  // another thread.
+  std::future<std::vector<Surface>> order_surfaces() const {
+    constexpr std::size_t kMany = 500;
+    std::vector<Surface> surfaces;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (std::size_t i = 0; i < sketch.surfaces.size(); ++i) {
+      if (hidden_lines.hides(sketch.surfaces[i])) continue;
       while (next < sketch.parts.size() && sketch.parts[next].surfaces <= i) ++next;
-      surfaces[i].part = next - 1;
+      surfaces.push_back(sketch.surfaces[i]);
+      surfaces.back().part = next - 1;
     }
+    const auto policy = surfaces.size() < kMany ? std::launch::deferred : std::launch::async;
+    return std::async(policy, [this, all = std::move(surfaces)]() mutable {
+      return depth_ordered(std::move(all), camera, sketch.bodies);
+    });
+  }
+
+  void draw_surfaces(const std::vector<Surface>& surfaces) {
     std::size_t last = sketch.parts.size();
-    surfaces = depth_ordered(std::move(surfaces), camera, sketch.bodies);
     for (const Surface& surface : surfaces) {
       std::vector<Point2> polygon = project_polygon(camera, surface.polygon);
       if (polygon.empty()) continue;
@@ -153,11 +171,14 @@ struct Composer {
   }
 
   void draw_line(const Line& line) {
-    const std::optional<Segment2> seen = project_segment(camera, line.from, line.to);
-    if (!seen) return;
-    if (line.keep_clear) placer.block(seen->from, seen->to, px(line.style.width + 2));
+    const auto number = static_cast<std::size_t>(&line - sketch.lines.data());
+    const std::vector<Span>& spans = line_spans[number];
+    if (!spans.empty() && line.keep_clear) {
+      const std::optional<Segment2> seen = project_segment(camera, line.from, line.to);
+      placer.block(seen->from, seen->to, px(line.style.width + 2));
+    }
     const Vec3d offset = line.to - line.from;
-    for (const Span& span : spans_of(line.from, line.to, line.style)) {
+    for (const Span& span : spans) {
       draw_span(line.from + span.from * offset, line.from + span.to * offset, span.hidden,
                 line.style, 0, false);
     }
@@ -414,10 +435,9 @@ struct Composer {
 }  // namespace
 
 const HiddenLines& hidden_lines_of(const Sketch& sketch, const Camera& camera) {
-  const std::array counts{sketch.occluders.size(), sketch.shadows.size(), sketch.bodies.size()};
-  if (!sketch.hidden_lines || !sketch.hidden_lines->is_for(camera, counts))
-    sketch.hidden_lines =
-        std::make_shared<HiddenLines>(camera, sketch.occluders, sketch.shadows, sketch.bodies);
+  if (!sketch.hidden_lines ||
+      !sketch.hidden_lines->is_for(camera, {sketch.occluders.size(), sketch.shadows.size()}))
+    sketch.hidden_lines = std::make_shared<HiddenLines>(camera, sketch.occluders, sketch.shadows);
   return *sketch.hidden_lines;
 }
 

@@ -170,9 +170,10 @@ struct Painter {
         (front ? parts.front : back ? parts.back : parts.on).push_back(item);
         continue;
       }
+      const std::vector<Vec3d> whole = std::move(item->surface.polygon);
       for (const int sign : {1, -1}) {
         std::vector<Vec3d> polygon = clipped(
-            item->surface.polygon, [&](const Vec3d& p) { return sign * plane.distance(p); },
+            whole, [&](const Vec3d& p) { return sign * plane.distance(p); },
             [&](const Vec3d& p, const Vec3d& q, double at_p, double at_q) {
               return zero_between(p, q, sign * at_p, sign * at_q);
             },

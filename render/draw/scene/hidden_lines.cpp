@@ -17,7 +17,7 @@ constexpr double kSeam = 8;
 // If there are more occluders, as in a terrain, a grid on the screen finds those near a line.
 constexpr std::size_t kManyOccluders = 96;
 constexpr int kColumns = 96, kRows = 64;
-constexpr std::size_t kManyBodies = 12;
+constexpr std::size_t kManyShadows = 12;
 
 /// Column and row of the cell at or nearest to a place, in cells.
 Eigen::Vector2i cell_at(const Eigen::Vector2d& place) {
@@ -44,21 +44,6 @@ Eigen::AlignedBox2f around(const Eigen::AlignedBox2d& box) {
           Eigen::Vector2f(float_above(box.max().x()), float_above(box.max().y()))};
 }
 
-/// Corners of a rectangle on the screen that holds the body; nothing if a part may be behind the eye.
-std::vector<Point2> corners_around(const RoundBody& body, const Camera& camera) {
-  constexpr double kWider = 1.2;  // a ball in perspective is an ellipse, off the middle
-  std::vector<Point2> corners;
-  for (const Vec3d& core : body.core) {
-    const Vec3d near = core + body.radius * camera.to_eye(core).normalized();
-    const std::optional<Point2> middle = camera.project(core);
-    if (!middle || !camera.project(near)) return {};
-    const double reach = kWider * body.radius * camera.pixels_per_metre(near);
-    corners.push_back(pixel(middle->x - reach, middle->y - reach));
-    corners.push_back(pixel(middle->x + reach, middle->y + reach));
-  }
-  return corners;
-}
-
 /// Whether the intervals cover [0, 1].
 bool covers_all(std::span<const std::pair<double, double>> intervals) {
   double reached = 0;
@@ -75,17 +60,22 @@ bool covers_all(std::span<const std::pair<double, double>> intervals) {
 
 }  // namespace
 
+double border_of_shadow(const Camera& camera, const Vec3d& middle, double size) {
+  const double view = std::hypot(camera.viewport().width, camera.viewport().height) /
+                      camera.pixels_per_metre(middle);
+  return kBorder * std::min(size, view);
+}
+
 HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
-                         const std::vector<ConvexShadow>& shadows,
-                         const std::vector<RoundBody>& bodies)
-    : camera_(camera), given_{occluders.size(), shadows.size(), bodies.size()} {
+                         const std::vector<ConvexShadow>& shadows)
+    : camera_(camera), given_{occluders.size(), shadows.size()} {
   // Adds the shadow of the bounds from `begin` on, and puts it into the cells of the box around its
   // corners; without any it is everywhere. `depth`: that of its nearest point.
   const auto put = [&](std::size_t begin, std::span<const Point2> seen, double depth) -> Shadow& {
     const int index = count_of(shadows_);
     const Box box = box_of(seen);
     const std::size_t end = bounds_.size();
-    shadows_.push_back({begin, end, end, {}});
+    shadows_.push_back({begin, end, end});
     if (seen.empty()) {
       everywhere_.push_back(index);
       return shadows_.back();
@@ -97,26 +87,23 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
         at(cells_, row * kColumns + column).push_back(near);
     return shadows_.back();
   };
-  const bool many_bodies = shadows.size() >= kManyBodies && bodies.size() == shadows.size();
+  const bool many_shadows = shadows.size() >= kManyShadows;
   const bool few = occluders.size() < kManyOccluders;
-  if (!few || many_bodies) cells_.resize(kColumns * kRows);
-  for (std::size_t i = 0; i < shadows.size(); ++i) {
+  if (!few || many_shadows) cells_.resize(kColumns * kRows);
+  for (const ConvexShadow& given : shadows) {
     const std::size_t begin = bounds_.size();
-    bounds_.insert(bounds_.end(), shadows[i].bounds.begin(), shadows[i].bounds.end());
-    Shadow& shadow = many_bodies ? put(begin, corners_around(bodies[i], camera),
-                                       nearest_depth(bodies[i].core, camera) - bodies[i].radius)
-                                 : put(begin, {}, 0);
-    shadow.sides = begin + shadows[i].sides;
-    shadow.behind = shadows[i].behind;
+    bounds_.insert(bounds_.end(), given.bounds.begin(), given.bounds.end());
+    Shadow& shadow = put(begin, many_shadows ? given.around : std::vector<Point2>{}, given.depth);
+    shadow.sides = begin + given.sides;
+    shadow.behind = given.behind;
+    if (given.opaque && begin < bounds_.size()) shadow.opaque_body = given.body;
   }
   for (const std::vector<Vec3d>& polygon : occluders) {
     if (polygon.size() < 3) continue;
     const Vec3d middle = mean_of(polygon);
     double size = 0;
     for (const Vec3d& p : polygon) size = std::max(size, (p - middle).norm());
-    const double view = std::hypot(camera.viewport().width, camera.viewport().height) /
-                        camera.pixels_per_metre(middle);
-    const double border = kBorder * std::min(size, view);
+    const double border = border_of_shadow(camera, middle, size);
     border_ = std::max(border_, border);
     std::vector<Point2> seen;
     if (!few) {
@@ -159,11 +146,42 @@ HiddenLines::Box HiddenLines::box_of(std::span<const Point2> points) const {
   return box;
 }
 
+bool HiddenLines::hides(const Surface& surface) const {
+  if (cells_.empty() || surface.polygon.empty()) return false;
+  const Vec3d& first = surface.polygon.front();
+  const std::optional<Point2> seen = camera_.project(first);
+  if (!seen) return false;
+  const Box place = box_of(std::array{*seen});
+  const Eigen::AlignedBox2f rounded = around(place);
+  const float depth = float_above(camera_.to_camera(first).z());
+  const Eigen::Vector2i cell = cell_at(place.min());
+  for (const Near& near : at(cells_, cell.y() * kColumns + cell.x())) {
+    if (near.depth > depth) return false;
+    const Shadow& shadow = at(shadows_, near.shadow);
+    if (shadow.opaque_body == kNotOpaque || !near.box.intersects(rounded) ||
+        (shadow.opaque_body >= 0 && shadow.opaque_body == surface.body) ||
+        bounds_[shadow.last].distance(first) > 0)
+      continue;
+    const auto is_behind = [&](const Vec3d& corner) {
+      return std::all_of(bounds_.begin() + std::ptrdiff_t(shadow.begin),
+                         bounds_.begin() + std::ptrdiff_t(shadow.end),
+                         [&](const Plane<double>& bound) { return bound.distance(corner) <= 0; });
+    };
+    if (std::ranges::all_of(surface.polygon, is_behind)) return true;
+  }
+  return false;
+}
+
 std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
-  std::vector<std::pair<double, double>> hidden;
+  std::vector<std::pair<double, double>>& hidden = hidden_;
+  hidden.clear();
   // Whether the shadows so far hide the whole line, so that no other one matters.
   const auto hides_all = [&](const Shadow& shadow) {
     double first = 0, last = 1;
+    const auto is_before = [&](std::size_t i) {
+      return bounds_[i].distance(from) > 0 && bounds_[i].distance(to) > 0;
+    };
+    if (shadow.begin < shadow.end && is_before(shadow.last)) return false;
     for (std::size_t i = shadow.begin; i < shadow.end; ++i) {
       if (i == shadow.sides && std::ranges::all_of(shadow.behind, [&](const Plane<double>& plane) {
             return plane.distance(from) <= 0 && plane.distance(to) <= 0;
@@ -171,7 +189,10 @@ std::vector<Span> HiddenLines::split(const Vec3d& from, const Vec3d& to) const {
         break;
       const double d0 = bounds_[i].distance(from);
       const double d1 = bounds_[i].distance(to);
-      if (d0 > 0 && d1 > 0) return false;
+      if (d0 > 0 && d1 > 0) {
+        shadow.last = i;  // often that of the next line too
+        return false;
+      }
       if (d0 > 0) first = std::max(first, d0 / (d0 - d1));
       if (d1 > 0) last = std::min(last, d0 / (d0 - d1));
       if (!(first < last)) return false;

@@ -135,6 +135,21 @@ bool contains_eye(const RoundBody& body, const Camera& camera) {
          (camera.eye() - nearest_in(body.core, camera.eye())).norm() <= body.radius;
 }
 
+/// Corners of a rectangle on the screen that holds the body; nothing if a part may be behind the eye.
+std::vector<Point2> corners_around(const RoundBody& body, const Camera& camera) {
+  constexpr double kWider = 1.2;  // a ball in perspective is an ellipse, off the middle
+  std::vector<Point2> corners;
+  for (const Vec3d& core : body.core) {
+    const Vec3d near = core + body.radius * camera.to_eye(core).normalized();
+    const std::optional<Point2> middle = camera.project(core);
+    if (!middle || !camera.project(near)) return {};
+    const double reach = kWider * body.radius * camera.pixels_per_metre(near);
+    corners.push_back(pixel(middle->x - reach, middle->y - reach));
+    corners.push_back(pixel(middle->x + reach, middle->y + reach));
+  }
+  return corners;
+}
+
 // A point of the outline, and the surface's normal there.
 struct OutlinePoint {
   Vec3d at, normal;
@@ -274,6 +289,9 @@ std::vector<RoundBody::Facet> RoundBody::front(const Camera& camera) const {
 
 ConvexShadow RoundBody::shadow(const Camera& camera) const {
   ConvexShadow shadow;
+  shadow.around = corners_around(*this, camera);
+  shadow.depth =
+      std::min(camera.to_camera(core.front()).z(), camera.to_camera(core.back()).z()) - radius;
   std::vector<Plane<double>>& planes = shadow.bounds;
   const double border = small ? kSmallBorder : kBorder;
   const auto touching = [&](const Vec3d& normal) {

@@ -110,7 +110,7 @@ struct Sketch {
   std::vector<Surface> surfaces;
   Occluders occluders;
   std::vector<RoundBody> bodies;                              // round bodies of the surfaces
-  std::vector<ConvexShadow> shadows;                          // of round bodies
+  std::vector<ConvexShadow> shadows;                          // of convex bodies
   mutable std::shared_ptr<const HiddenLines> hidden_lines{};  // the last of hidden_lines_of()
   std::vector<Curve> curves;
   std::vector<Line> lines;

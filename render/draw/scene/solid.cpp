@@ -1,5 +1,7 @@
 #include "draw/scene/solid.h"
 
+#include "draw/scene/points.h"
+
 namespace contactscope::draw {
 namespace {
 
@@ -10,6 +12,45 @@ constexpr LineStyle kSilhouette{2.0f, kShapeEdge, false, LineStyle::Hidden::Fain
 constexpr LineStyle kFeature{1.5f, with_alpha(kShapeEdge, 0.85f), false, LineStyle::Hidden::Faint};
 constexpr LineStyle kSmooth{1.0f, with_alpha(kShapeEdge, 0.16f), false, LineStyle::Hidden::Faint};
 constexpr LineStyle kTick{1.0f, with_alpha(kShapeEdge, 0.55f), false, LineStyle::Hidden::Faint};
+
+/// Shadow of a convex polyhedron.
+ConvexShadow shadow_of(const Camera& camera, const PlacedShape& shape) {
+  std::vector<bool> front;
+  for (int f = 0; f < count_of(shape.traced().faces); ++f)
+    front.push_back(camera.faces(shape.polygon(f).front(), shape.normal(f)));
+  ConvexShadow shadow;
+  const Vec3d middle = mean_of(shape.vertices), to_eye = camera.right().cross(camera.up());
+  const double border = border_of_shadow(camera, middle, shape.mesh->radius);
+  Plane<double> behind{to_eye, std::numeric_limits<double>::infinity()};  // the outline
+  for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
+    if (at(front, edge.left) == (edge.right >= 0 && at(front, edge.right))) continue;
+    const Vec3d &p = shape.vertex(edge.from), &q = shape.vertex(edge.to);
+    // The plane through the eye and the edge; its normal points away from the body.
+    Vec3d side = (q - p).cross(camera.to_eye(p)).normalized();
+    if (side.dot(middle - p) > 0) side = -side;
+    shadow.bounds.push_back({side, side.dot(p) - border});
+    behind.offset = std::min({behind.offset, to_eye.dot(p) - border, to_eye.dot(q) - border});
+  }
+  shadow.sides = shadow.bounds.size();
+  shadow.behind = {behind};
+  for (int f = 0; f < count_of(front); ++f) {
+    if (!front[static_cast<std::size_t>(f)]) continue;
+    const Vec3d normal = shape.normal(f);
+    double lowest = std::numeric_limits<double>::infinity();  // faces of a trace need not be flat
+    for (const Vec3d& corner : shape.polygon(f)) lowest = std::min(lowest, normal.dot(corner));
+    shadow.bounds.push_back({normal, lowest - border});
+  }
+  shadow.depth = std::numeric_limits<double>::infinity();
+  bool in_front = true;  // of the eye
+  for (const Vec3d& vertex : shape.vertices) {
+    shadow.depth = std::min(shadow.depth, camera.to_camera(vertex).z());
+    const std::optional<Point2> seen = camera.project(vertex);
+    if (seen) shadow.around.push_back(*seen);
+    in_front = in_front && seen;
+  }
+  if (!in_front) shadow.around.clear();
+  return shadow;
+}
 
 }  // namespace
 
@@ -45,6 +86,16 @@ void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fil
   }
 }
 
+void draw_small_solid(const Camera& camera, const PlacedShape& shape, const Color& fill,
+                      Sketch& sketch) {
+  const std::size_t occluders = sketch.occluders.size();
+  draw_solid(camera, shape, fill, sketch);
+  if (sketch.occluders.size() == occluders) return;
+  sketch.occluders.resize(occluders);
+  sketch.shadows.push_back(shadow_of(camera, shape));
+  sketch.shadows.back().opaque = true;
+}
+
 void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
                const LineStyle& outline, Sketch& sketch) {
   const int index = count_of(sketch.bodies);
@@ -54,6 +105,7 @@ void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
   const std::vector<Vec3d> around = body.outline(camera);
   if (!around.empty()) {
     sketch.shadows.push_back(body.shadow(camera));
+    sketch.shadows.back().body = index;
     sketch.curves.push_back({around, outline, true});
   }
   sketch.bodies.push_back(body);
@@ -72,7 +124,9 @@ void draw_small_round(const Camera& camera, const PlacedShape& shape, const Colo
   constexpr double kSmall = 40;  // pixels: corners of an outline are not seen
   const double radius = shape.traced().radius;
   const bool small = radius * camera.pixels_per_metre(shape.vertices.front()) < kSmall;
+  const std::size_t shadows = sketch.shadows.size();
   draw_body(camera, {shape.vertices, radius, small}, fill, kSilhouette, sketch);
+  if (sketch.shadows.size() > shadows) sketch.shadows.back().opaque = true;
 }
 
 PatchFit::PatchFit(const trace::HalfSpace& plane, const Pose<double>& pose, const Vec3d& up) {

@@ -13,6 +13,10 @@ std::vector<bool> draw_faces(const Camera& camera, const PlacedShape& shape, con
 /// Draws faces, silhouette and edges of a polyhedron; hidden lines are faint.
 void draw_solid(const Camera& camera, const PlacedShape& shape, const Color& fill, Sketch& sketch);
 
+/// The same for one of many opaque bodies: convex, with one shadow instead of one for each face.
+void draw_small_solid(const Camera& camera, const PlacedShape& shape, const Color& fill,
+                      Sketch& sketch);
+
 /// Draws the surface of a round body and its outline; nothing if the eye is inside it.
 void draw_body(const Camera& camera, const RoundBody& body, const Color& fill,
                const LineStyle& outline, Sketch& sketch);

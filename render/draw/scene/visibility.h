@@ -16,9 +16,15 @@ struct ConvexShadow {
   /// The bounds from this one on hold for what is behind all of `behind`, and need no test.
   std::size_t sides = 0;
   std::vector<Plane<double>> behind{};
-
-  bool empty() const { return bounds.empty(); }
+  /// Corners of a region of the screen that holds the body; none if a part may be behind the eye.
+  std::vector<Point2> around{};
+  double depth = 0;     // of its nearest point, metres
+  bool opaque = false;  // its surface covers others
+  int body = -1;        // if round: number of the body
 };
+
+/// Width of a shadow's border, metres, in which lines are visible. `middle` and `size` of the body.
+double border_of_shadow(const Camera& camera, const Vec3d& middle, double size);
 
 /// A sphere or a capsule in the world: all points within a radius of a point or a segment. The
 /// surface point with outward normal n is p + radius n, where p is the core's end farthest along n.
@@ -99,19 +105,20 @@ struct Span {
 /// over all occluders is hidden. `shadows` hide in the same way.
 class HiddenLines {
  public:
-  /// `bodies`: those of the shadows, in the same order, so that with many of them a line is compared
-  /// with those near it alone; may be empty.
   HiddenLines(const Camera& camera, const Occluders& occluders,
-              const std::vector<ConvexShadow>& shadows = {},
-              const std::vector<RoundBody>& bodies = {});
+              const std::vector<ConvexShadow>& shadows = {});
 
-  /// Whether it was made for as many occluders, shadows and bodies, seen by the same camera.
-  bool is_for(const Camera& camera, std::array<std::size_t, 3> counts) const {
+  /// Whether it was made for as many occluders and shadows, seen by the same camera.
+  bool is_for(const Camera& camera, std::array<std::size_t, 2> counts) const {
     return camera == camera_ && counts == given_;
   }
 
-  /// Visible and hidden parts in order, covering [0, 1]; valid inside the view.
+  /// Visible and hidden parts in order, covering [0, 1]; valid inside the view. Not for two threads
+  /// at once.
   std::vector<Span> split(const Vec3d& from, const Vec3d& to) const;
+
+  /// Whether an opaque shadow, one of many, hides the whole surface; not that of its own body.
+  bool hides(const Surface& surface) const;
 
  private:
   using Box = Eigen::AlignedBox2d;  // on the screen, in cells
@@ -119,7 +126,10 @@ class HiddenLines {
     std::size_t begin = 0, end = 0;  // of its bounds
     std::size_t sides = 0;           // the first bound that what is behind meets; or `end`
     std::vector<Plane<double>> behind{};
+    int opaque_body = kNotOpaque;      // -1 if it is not round
+    mutable std::size_t last = begin;  // the bound that a line was last found to be in front of
   };
+  static constexpr int kNotOpaque = -2;
   /// A shadow in a cell; most of them are rejected by their boxes.
   struct Near {
     Eigen::AlignedBox2f box;  // around the shadow's corners
@@ -131,12 +141,13 @@ class HiddenLines {
   Box box_of(std::span<const Point2> points) const;
 
   Camera camera_;
-  std::array<std::size_t, 3> given_;
+  std::array<std::size_t, 2> given_;
   std::vector<Plane<double>> bounds_;  // of all shadows, concatenated
   std::vector<Shadow> shadows_;
   std::vector<int> everywhere_;           // shadows that are checked for all lines
   std::vector<std::vector<Near>> cells_;  // the other shadows, by screen cell, the nearest first
   double border_ = 0;                     // metres
+  mutable std::vector<std::pair<double, double>> hidden_{};  // of the line being split
 };
 
 }  // namespace contactscope::draw

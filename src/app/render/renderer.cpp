@@ -96,23 +96,25 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
     panels.emplace(staging, sequence.frames);
   };
   std::optional<draw::Drawing> shown;  // of a long trace: the drawing of the last frame
-  // Adds the panels.
-  const auto complete = [&](std::size_t index, TimedDrawing drawn) {
-    log_.add("illustrate", drawn.time);
-    draw::Drawing& drawing = drawn.drawing;
+  // Draws the panels meanwhile.
+  const auto complete = [&](std::size_t index, std::future<TimedDrawing>& next) {
+    draw::Drawing column;
     if (panels) {
       const Timed timed(log_, "panels");
       draw::PanelMoment moment{index, sequence.recent(sequence.frames[index].frame - 1)};
       if (index < sequence.nanoseconds.size())
         moment.pipeline_nanoseconds = sequence.nanoseconds[index];
-      for (const std::string& what : panels->add(moment, drawing)) {
+      for (const std::string& what : panels->add(moment, column)) {
         log_.left_out(staging.header->scenario + ": " + what + ", because " +
                       std::to_string(width) + "x" + std::to_string(height) +
                       " has no room for it; use a larger --size");
       }
     }
-    finish(staging.style, drawing);
-    return std::move(drawing);
+    TimedDrawing drawn = next.get();
+    log_.add("illustrate", drawn.time);
+    drawn.drawing.append(column);
+    finish(staging.style, drawn.drawing);
+    return std::move(drawn.drawing);
   };
 
   if (sequence.file) {
@@ -135,7 +137,7 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
       sink_last();
       // The frame was read just now, so panels that scanned all frames have not seen it.
       start_panels();
-      shown = complete(index, next.get());
+      shown = complete(index, next);
     };
     sequence.each(numbers, show, staging.view.shows(Panel::Worst));
     sink_last();
@@ -154,9 +156,9 @@ void Renderer::each_drawing(const draw::Staging& staging, Sequence& sequence,
   if (!places.empty()) next = begin(0);
   for (std::size_t i = 0; i < places.size(); ++i) {
     stop_if_interrupted();
-    TimedDrawing drawn = next.get();
+    draw::Drawing drawing = complete(places[i], next);
     if (i + 1 < places.size()) next = begin(i + 1);
-    sink(sequence.frames[places[i]], complete(places[i], std::move(drawn)));
+    sink(sequence.frames[places[i]], std::move(drawing));
   }
 }
 
