@@ -54,7 +54,8 @@ endforeach()
 # The program finds scenarios there relative to its own location.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
-install(FILES ${PROJECT_SOURCE_DIR}/src/trace/findings.schema.json
+install(FILES ${PROJECT_SOURCE_DIR}/src/recorder/contactscope.py
+    ${PROJECT_SOURCE_DIR}/src/trace/findings.schema.json
     ${PROJECT_SOURCE_DIR}/src/trace/trace.schema.json
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 
