@@ -190,7 +190,7 @@ struct ChoicePen : Pen {
     };
     const Vec2d corners[3] = {on_plane(0), on_plane(1), on_plane(2)}, point = on_plane(3);
     const double twice = contactscope::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    std::vector<Row> rows{{"edge", "area", "barycentric", "−: clockwise"}};
+    std::vector<Row> rows{{"edge e", "½ n · (e × f)", "barycentric", "−: clockwise"}};
     for (std::size_t k = 0; k < 3; ++k) {
       // Along the edges counter-clockwise, as seen.
       const std::size_t next = (k + 1) % 3, first = twice > 0 ? k : next, last = k + next - first;
