@@ -1,15 +1,10 @@
 #include <cctype>
 #include <list>
 
-#include "core/at.h"
-#include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
-#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

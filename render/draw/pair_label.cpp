@@ -4,7 +4,6 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {

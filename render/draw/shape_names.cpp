@@ -1,11 +1,8 @@
-#include "core/convex_polygon.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 #include "draw/staging.h"
-#include "image/font.h"
-#include "view/words.h"
 
 /// Names of shapes, written on the shapes, so that the legend need not list them.
 namespace contactscope::draw {

@@ -3,10 +3,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/at.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/pen.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,19 +1,13 @@
 #include "draw/viewports.h"
 
 #include "draw/scene/pairs.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/pen.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr double kViewportHeading = 17;
-constexpr double kViewportHeadingRow = 28;
-constexpr double kViewportGap = 12;
+constexpr double kViewportHeading = 17, kViewportHeadingRow = 28, kViewportGap = 12;
 constexpr double kWantedAspect = 1.25;
 
 // Pixels at 720 lines.

@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/at.h"
-#include "core/spell.h"
 #include "page/facts.h"
 #include "vector/svg.h"
 

@@ -1,6 +1,4 @@
-#include "core/at.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 #include "page/facts.h"
 
 namespace contactscope::page {

@@ -1,9 +1,5 @@
-#include "core/at.h"
-#include "core/convex_polygon.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 #include "page/facts.h"
-#include "trace/find.h"
 
 namespace contactscope::page {
 namespace {

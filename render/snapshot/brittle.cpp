@@ -1,8 +1,5 @@
 #include "snapshot/compare_trace.h"
 
-#include "snapshot/compare_facts.h"
-#include "snapshot/spelling.h"
-
 namespace contactscope::snapshot {
 namespace {
 
@@ -59,8 +56,9 @@ std::vector<std::string> brittle_decisions(const trace::Header& header, const tr
 
 TakenDecisions take_decisions(const std::vector<int>& stored, const std::vector<View>& views,
                               const trace::Header& header, std::vector<trace::Frame>& frames) {
-  const bool requested =
-      std::ranges::any_of(views, [](const View& view) { return view.shows(Layer::FlipDistance); });
+  const bool requested = std::ranges::any_of(views, [](const View& view) {
+    return view.shows(Layer::FlipDistance) || view.shows(Panel::Code);
+  });
   TakenDecisions taken;
   for (trace::Frame& frame : frames) {
     if (std::ranges::count(stored, frame.frame) > 0) {
@@ -69,7 +67,10 @@ TakenDecisions take_decisions(const std::vector<int>& stored, const std::vector<
         if (!pair.decisions.empty()) taken.margins[{frame.frame, key_of(pair)}] = pair.decisions;
     }
     if (requested) continue;
-    for (trace::Pair& pair : frame.pairs) pair.decisions.clear();
+    for (trace::Pair& pair : frame.pairs) {
+      pair.decisions.clear();
+      if (pair.sat) pair.sat->tolerance.reset();
+    }
   }
   return taken;
 }

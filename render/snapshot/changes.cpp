@@ -5,7 +5,6 @@
 #include "image/png.h"
 #include "snapshot/check.h"
 #include "snapshot/meshes.h"
-#include "snapshot/store.h"
 
 namespace contactscope::snapshot {
 

@@ -3,10 +3,8 @@
 #include <exception>
 
 #include "core/input_error.h"
-#include "image/compare.h"
 #include "image/png.h"
 #include "snapshot/meshes.h"
-#include "snapshot/spelling.h"
 
 namespace contactscope::snapshot {
 namespace fs = std::filesystem;

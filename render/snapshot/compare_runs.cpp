@@ -2,7 +2,6 @@
 
 #include <cstdio>
 
-#include "snapshot/compare_facts.h"
 #include "trace/find.h"
 
 namespace contactscope::snapshot {

@@ -1,8 +1,6 @@
 #include "snapshot/compare_trace.h"
 
 #include "core/at.h"
-#include "snapshot/finding.h"
-#include "snapshot/spelling.h"
 #include "trace/find.h"
 
 namespace contactscope::snapshot {

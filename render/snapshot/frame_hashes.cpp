@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-#include "core/pose.h"
 #include "snapshot/compare_facts.h"
 
 namespace contactscope::snapshot {

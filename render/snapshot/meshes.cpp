@@ -6,7 +6,6 @@
 #include "core/input_error.h"
 #include "image/encoding.h"
 #include "snapshot/store.h"
-#include "trace/shape.h"
 
 namespace contactscope::snapshot {
 namespace fs = std::filesystem;

@@ -3,9 +3,7 @@
 #include <unistd.h>
 
 #include "core/input_error.h"
-#include "image/compare.h"
 #include "image/png.h"
-#include "snapshot/store.h"
 #include "trace/listed_json.h"
 
 namespace contactscope::snapshot {

@@ -4,7 +4,6 @@
 
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "image/font.h"
 
 namespace contactscope::vector {
 namespace {

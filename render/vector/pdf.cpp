@@ -7,7 +7,6 @@
 #include <ctime>
 #include <mutex>
 
-#include "image/font.h"
 #include "vector/font_subset.h"
 #include "vector/pieces.h"
 

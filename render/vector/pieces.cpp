@@ -1,7 +1,6 @@
 #include "vector/pieces.h"
 
 #include "draw/scene/camera.h"
-#include "image/font.h"
 
 namespace contactscope::vector {
 namespace {

@@ -3,7 +3,6 @@
 #include <cctype>
 
 #include "core/spell.h"
-#include "image/font.h"
 #include "vector/pieces.h"
 
 namespace contactscope::vector {

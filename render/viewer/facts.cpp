@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 
-#include "core/at.h"
 #include "core/spell.h"
 #include "trace/find.h"
 #include "trace/json.h"

@@ -1,11 +1,6 @@
 #include "viewer/viewer.h"
 
-#include "core/at.h"
-#include "core/spell.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/theme.h"
 #include "find/finder.h"
-#include "image/encoding.h"
 #include "vector/svg.h"
 
 namespace contactscope::viewer {

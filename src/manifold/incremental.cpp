@@ -148,6 +148,8 @@ void Recorder<S>::incremental(const CoreQuery<S>& query, const IncrementalStep<S
                                                                : "gjk";
   recorded.margin_a = static_cast<double>(persistent.core_a->margin);
   recorded.margin_b = static_cast<double>(persistent.core_b->margin);
+  if (options.settings.too_close == TooClose::Reject)
+    recorded.rejects_within = options.settings.breaking_distance;
   const auto report = [&](const StandingPoint<S>& standing, const char* state, const char* reason) {
     trace::PersistentPoint& persists = recorded.points.emplace_back();
     persists.point = {point(standing.position()), static_cast<double>(standing.separation),

@@ -80,6 +80,7 @@ void Recorder<S>::axis_decisions(const HullPair<S>& pair, const FaceSeparations<
   const S tolerance = options.preference == Preference::Relative
                           ? preference_tolerance(axes.separation(axes.deepest), pair.min_radius)
                           : S(0);
+  if (pair_.sat) pair_.sat->tolerance = static_cast<double>(tolerance);
   AxisKind over = AxisKind::FaceA;
   S ahead = S(0);
   if (axes.chosen == AxisKind::FaceA) {

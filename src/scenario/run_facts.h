@@ -22,7 +22,8 @@ inline trace::Stages with_insets(trace::Stages stages, const std::vector<View>& 
   stages.cells = stages.cells || shown(views, Layer::Cells) || shown(views, Panel::Endpoints);
   stages.node_pairs = stages.node_pairs || shown(views, Panel::NodePairs);
   stages.fields = stages.fields || shown(views, Layer::Field);
-  stages.decisions = stages.decisions || shown(views, Layer::FlipDistance);
+  stages.decisions =
+      stages.decisions || shown(views, Layer::FlipDistance) || shown(views, Panel::Code);
   stages.flip = stages.flip || shown(views, Layer::FlipDistance);
   return stages;
 }

@@ -125,13 +125,15 @@ struct Incremental {
   std::string query;    // "gjk": separated cores; else the method that measured their overlap
   double margin_a = 0;  // metres around the core of a
   double margin_b = 0;
-  std::vector<PersistentPoint> points;  // points of the manifold, then the broken ones
+  std::optional<double> rejects_within;  // metres of an old point, unless new points replace it
+  std::vector<PersistentPoint> points;   // points of the manifold, then the broken ones
 
   static constexpr auto fields() {
     using I = Incremental;
     return field::list(field::exact<&I::confirm>, field::exact<&I::query>,
                        field::length<&I::margin_a>.swaps(&I::margin_b).says("margin of a"),
                        field::length<&I::margin_b>.says("margin of b"),
+                       field::length<&I::rejects_within>,
                        field::facts<&I::points>.entries("persistent point"));
   }
 };

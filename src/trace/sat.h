@@ -60,6 +60,8 @@ struct Sat {
   std::optional<EdgeAxis> edge;
   std::string chosen;      // "face_a", "face_b", "edge_edge"; separates, or gives the contact
   std::string preference;  // "relative" or "none"
+  // Metres by which a preferred axis may be worse than the best; recorded with the decisions.
+  std::optional<double> tolerance{};
   std::vector<EdgePair> edge_pairs{};  // all that the edge query measured, for the Gauss map
 
   static constexpr auto fields() {
@@ -67,6 +69,7 @@ struct Sat {
                        field::fact<&Sat::face_b>.called("sat face_b"),
                        field::fact<&Sat::edge>.called("sat edge"),  //
                        field::axis<&Sat::chosen>, field::exact<&Sat::preference>.optional(),
+                       field::length<&Sat::tolerance>,
                        field::facts<&Sat::edge_pairs>.where_set().entries("sat edge pair"));
   }
 };

@@ -64,6 +64,7 @@
   ROW(Overlaps, "overlaps")                    \
   ROW(ContactPlane, "contact_plane")           \
   ROW(AxisHistory, "axis_history")             \
+  ROW(Code, "code")                            \
   ROW(Stability, "stability")                  \
   ROW(Plots, "plots")                          \
   ROW(Pipeline, "pipeline")                    \

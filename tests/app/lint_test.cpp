@@ -235,7 +235,6 @@ TEST(LintVerb, SlowOnlyScenariosThatShowAFaultHaveFindings) {
                   "scenarios/incremental/margin.toml",         // a core too thin
                   "scenarios/incremental/rotating_out.toml",   // one point a frame
                   "scenarios/incremental/sliding.toml",        // points that slide away
-                  "scenarios/incremental/too_close.toml",      // an old point that stays
                   "scenarios/mesh/sliding_over_edges.toml",    // internal edges
                   "scenarios/mesh/t_junction.toml",            // internal edges
                   "scenarios/regressions/rapier_95_ramp_of_segments.toml"));  // internal edges

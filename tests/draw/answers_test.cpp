@@ -128,6 +128,21 @@ TEST(Answers, ColourTheQueriedBounds) {
   }
 }
 
+TEST(Answers, AToleranceWidensBoundsByHalfOfIt) {
+  CrateWithQuery requested(true, true);
+  requested.view.layers = {Layer::Volumes};
+  EXPECT_EQ(lines_in(sketch_frame(requested.staged(), requested.frames[0]), kMargin), 0);
+  requested.pair().query->tolerance = 0.5;
+  const Sketch sketch = sketch_frame(requested.staged(), requested.frames[0]);
+  EXPECT_EQ(lines_in(sketch, kMargin), 12 + 2);
+  Eigen::AlignedBox3d box, wide;
+  for (const Line& line : sketch.lines)
+    for (const Vec3d& end : {line.from, line.to})
+      (line.style.color == kMargin ? wide : box).extend(end);
+  EXPECT_LT((wide.max() - box.max() - Vec3d::Constant(0.25)).norm(), 1e-9);
+  EXPECT_LT((wide.min() - box.min() + Vec3d::Constant(0.25)).norm(), 1e-9);
+}
+
 TEST(Answers, OrientedBoxesAmongOthersAreDrawnBroaderInPlace) {
   CrateWithQuery requested(false, false);
   requested.view.layers = {Layer::Volumes};

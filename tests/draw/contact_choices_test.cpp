@@ -70,6 +70,18 @@ TEST(ContactCells, TheThirdChoiceShowsAreasAcrossTheEdgeAsNegativeWhateverTheWin
   }
 }
 
+TEST(ContactCells, AThirdPointAloneHasItsCrossProduct) {
+  std::vector<ContactMoment> moments = chosen();
+  moments[0].cells.resize(1);
+  for (const bool turned : {false, true}) {
+    EXPECT_THAT(words(drawn(moments, 0, 1280, 720, 3)),
+                IsSupersetOf({"½ n · (e × f) = +0.5000 m²", "e", "f"}))
+        << turned;
+    for (trace::Measure& measure : moments[0].cells[0].choices[2].measures)
+      measure.value = -measure.value;
+  }
+}
+
 TEST(ContactCells, AChoiceShowsWhatEachCandidateWasWorth) {
   EXPECT_THAT(words(drawn(chosen(), 0, 1280, 720, 1)), Contains("fixed direction"));
   const std::vector<std::string> second = words(drawn(chosen(), 0, 1280, 720, 2));

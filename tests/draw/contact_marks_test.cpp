@@ -480,6 +480,28 @@ TEST(PersistentPoints, OneThatWasTakenOutIsARingAroundTheOneInItsPlace) {
   EXPECT_EQ(marks(scene.sketch(), MarkKind::Hollow), 0u);
 }
 
+TEST(PersistentPoints, AKeptOneHasTheCircleInWhichNewOnesAreRejected) {
+  CrateOnSlab scene;
+  scene.view.layers = {Layer::Shapes, Layer::Persistent};
+  scene.persist();
+  const auto circles = [&] {
+    std::vector<Curve> found = scene.sketch().curves;
+    std::erase_if(
+        found, [](const Curve& curve) { return !crate_sample::same(curve.style.color, kMargin); });
+    return found;
+  };
+  EXPECT_TRUE(circles().empty());
+  scene.pair().incremental->rejects_within = 0.75;
+  const std::vector<Curve> all = circles();
+  ASSERT_EQ(all.size(), 1u) << "the new point and the broken one have none";
+  EXPECT_TRUE(all[0].closed);
+  for (const Vec3d& at : all[0].points) EXPECT_NEAR((at - Vec3d(-0.5, 0, 0.5)).norm(), 0.75, 1e-12);
+  // Its radius, and how far the new point is from it.
+  std::vector<std::string> texts;
+  for (const Label& label : scene.sketch().labels) texts.push_back(label.text);
+  EXPECT_THAT(texts, ::testing::IsSupersetOf({"0.750 m", "1.00 m"}));
+}
+
 TEST(Overlap, HasOneSignWhereItsWhiskerIsSeen) {
   CrateOnSlab scene;
   scene.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Overlap};

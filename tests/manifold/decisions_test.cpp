@@ -41,6 +41,7 @@ TEST(Decisions, AreRecordedOnlyOnRequest) {
   const PairCase<double> pair = test::stacked_cubes(20 * kDegree, 0.01);
   EXPECT_TRUE(test::record_of<double>(shapes_of(pair)).decisions.empty());
   EXPECT_FALSE(decided(pair).decisions.empty());
+  EXPECT_FALSE(test::record_of<double>(shapes_of(pair)).sat->tolerance);
 }
 
 TEST(Decisions, LevelCubesAreFarFromAnEdgeByWhatTheFirstFaceIsPreferred) {
@@ -51,6 +52,7 @@ TEST(Decisions, LevelCubesAreFarFromAnEdgeByWhatTheFirstFaceIsPreferred) {
   EXPECT_EQ(axis->over, "face_b");
   // Both faces are 1 cm deep: the second one would have to win by 0.2 % of the radius.
   EXPECT_NEAR(*axis->margin, 0.002 * std::sqrt(0.75), 1e-9);
+  EXPECT_NEAR(*pair.sat->tolerance, *axis->margin, 1e-9);
   const trace::Decision* const contact = decision(pair, "contact");
   ASSERT_NE(contact, nullptr);
   EXPECT_EQ(contact->took, "touching");

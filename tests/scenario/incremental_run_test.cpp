@@ -134,9 +134,49 @@ speculative_margin = 0.004
 )";
 
 // A wheel of twelve sides rolls: its corners are 31 mm from each other, nearer than the breaking distance.
+constexpr const char* kTwoWheels = R"(
+title = "two wheels"
+[time]
+frames = 41
+[shapes.floor_1]
+type = "box"
+half_extents = [0.8, 0.1, 0.05]
+position = [0, -0.1, 0]
+[shapes.wheel_1]
+type = "cylinder"
+radius = 0.06
+half_height = 0.001
+segments = 12
+position = [-0.2, 0.0579, 0]
+rotation = { axis = [1, 0, 0], degrees = 90 }
+motion = { velocity = [0.6, 0, 0], angular_velocity = [0, 0, -10] }
+[shapes.floor_2]
+type = "box"
+half_extents = [0.8, 0.1, 0.05]
+position = [0, -0.1, 3]
+[shapes.wheel_2]
+type = "cylinder"
+radius = 0.06
+half_height = 0.001
+segments = 12
+position = [-0.2, 0.0579, 3]
+rotation = { axis = [1, 0, 0], degrees = 90 }
+motion = { velocity = [0.6, 0, 0], angular_velocity = [0, 0, -10] }
+[pipeline]
+manifold = "incremental"
+core_margin = 0.004
+breaking_distance = 0.04
+[[pairs]]
+a = "floor_1"
+b = "wheel_1"
+[[pairs]]
+a = "floor_2"
+b = "wheel_2"
+too_close = "reject"
+)";
+
 TEST(IncrementalRun, ARejectedPointLeavesTheOldOneUntilThatIsTooFarOff) {
-  const Scenario scenario =
-      load_scenario(CONTACTSCOPE_SOURCE_DIR "/scenarios/incremental/too_close.toml");
+  const Scenario scenario = parse_scenario(kTwoWheels, "g/a.toml");
   Runner runner(scenario);
   int replaced = 0, rejected = 0, lost = 0;
   std::string name;  // of the first point of the pair that rejects
@@ -145,6 +185,8 @@ TEST(IncrementalRun, ARejectedPointLeavesTheOldOneUntilThatIsTooFarOff) {
     for (const trace::PersistentPoint& point : facts.pairs.at(0).incremental->points)
       replaced += point.reason == "replaced";
     const trace::Pair& pair = facts.pairs.at(1);
+    EXPECT_FALSE(facts.pairs.at(0).incremental->rejects_within);
+    EXPECT_EQ(pair.incremental->rejects_within, 0.04);
     ASSERT_LE(pair.manifolds.size(), 1u);
     for (const trace::PersistentPoint& point : pair.incremental->points) {
       if (point.reason == "apart" || point.reason == "slid") ++lost;

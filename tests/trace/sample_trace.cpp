@@ -68,9 +68,12 @@ Frame sample_frame() {
   manifold.type.clear();
   manifold.triangle = 17;
   pair.manifolds.push_back(manifold);
-  pair.sat =
-      Sat{FaceAxis{1, -0.5, {0, 1, 0}, {6, 7, 8}}, FaceAxis{2, -0.25, {1, 0, 0}, {9, 10, 11}},
-          EdgeAxis{3, 4, -0.125, {0, 0, 1}, {1, 2, 3}, {4, 5, 6}}, "face_b", "relative"};
+  pair.sat = Sat{FaceAxis{1, -0.5, {0, 1, 0}, {6, 7, 8}},
+                 FaceAxis{2, -0.25, {1, 0, 0}, {9, 10, 11}},
+                 EdgeAxis{3, 4, -0.125, {0, 0, 1}, {1, 2, 3}, {4, 5, 6}},
+                 "face_b",
+                 "relative",
+                 0.006};
   Clip clip;
   clip.reference = {"apple", 2, {0, 1, 0}, {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}};
   clip.incident = {"zebra", 3, {0, -1, 0}, {{0, 1, 0}, {1, 1, 0}, {1, 1, 1}}};
@@ -104,7 +107,7 @@ Frame sample_frame() {
   pair.penetration->polytopes = {{corners, {{0, 2, 1}, {0, 1, 3}}, 1, 0.00375},
                                  {corners, {}, -1, 0}};
   pair.minkowski = Minkowski{{{0, 0, 0}, {1, 0, 0}, {0, -0.0, 1.0 / 3.0}}, {{0, 1, 2}, {2, 1, 0}}};
-  pair.incremental = Incremental{"distance", "gjk", 0.01, 0.02, {}};
+  pair.incremental = Incremental{"distance", "gjk", 0.01, 0.02, 0.04, {}};
   pair.incremental->points = {
       {{{1, 2, 3},
         -0.005,

@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/theme.h"

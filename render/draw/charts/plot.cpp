@@ -1,9 +1,6 @@
 #include "draw/charts/plot.h"
 
-#include "draw/scene/layout.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -13,10 +10,7 @@ constexpr double kHeading = 22;
 constexpr double kUnder = 42;  // labels and the name of the axis
 constexpr double kBetween = 18;
 constexpr double kGutter = 22;  // between work precision diagrams
-constexpr double kTitle = 28;
-constexpr double kSubtitle = 15;
-constexpr double kLegend = 24;
-constexpr double kCaption = 20;
+constexpr double kTitle = 28, kSubtitle = 15, kLegend = 24, kCaption = 20;
 
 /// Powers of ten on an axis, in pixels, with as many labels as there is room for. If there are
 /// fewer than three, also 2 and 5 times each.

@@ -6,10 +6,7 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr double kLeftOfAnswers = 36;
-constexpr double kBetweenAnswers = 28;
-constexpr double kOverAnswers = 20;
-constexpr double kUnderAnswers = 44;
+constexpr double kLeftOfAnswers = 36, kBetweenAnswers = 28, kOverAnswers = 20, kUnderAnswers = 44;
 
 struct NamedAnswer {
   const char* name;

@@ -8,8 +8,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeft = 52;
-constexpr double kFailureRow = 15;
+constexpr double kLeft = 52, kFailureRow = 15;
 constexpr double kZeroRow = 18;       // below a logarithmic axis, which has no zero
 constexpr std::size_t kMaxTicks = 8;  // with more points the axis shows decades
 constexpr double kBetweenTicks = 7;   // pixels between their labels

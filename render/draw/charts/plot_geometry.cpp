@@ -7,10 +7,7 @@ namespace {
 
 // Pixels at 720 lines.
 constexpr Color kQuietLine = rgb(0xA9AEB5);
-constexpr float kZeroSlot = 12;
-constexpr float kFailureRow = 18;
-constexpr float kCross = 5;
-constexpr float kPlotMargin = 16;
+constexpr float kZeroSlot = 12, kFailureRow = 18, kCross = 5, kPlotMargin = 16;
 constexpr float kMaxLabelShare = 0.2f;  // share of the width that is kept free on the right
 constexpr float kMaxCountShare = 0.4f;  // if counts of failures have no other place
 

@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "core/spell.h"
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
@@ -7,8 +6,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLeftNumbers = 56;
-constexpr double kLeftNames = 132;
+constexpr double kLeftNumbers = 56, kLeftNames = 132;
 constexpr double kBarCell = 58;  // of the legend's bar
 
 // From white over Okabe-Ito's sky blue and blue to near black: lightness alone shows the order.

@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/labels.h"
@@ -9,10 +8,7 @@ namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr float kHeading = 16;
-constexpr float kTickColumn = 54;
-constexpr float kStrongMarker = 5.0f;
-constexpr float kMutedMarker = 3.3f;
+constexpr float kHeading = 16, kTickColumn = 54, kStrongMarker = 5.0f, kMutedMarker = 3.3f;
 constexpr float kCross = 4;
 constexpr float kMinDecade = 70;  // shorter ones would be crowded with minor lines
 

@@ -10,8 +10,7 @@ namespace {
 // Pixels at 720 lines.
 constexpr double kCaptions = 30;  // heading, and source below
 constexpr double kScene = 26;     // the line under the heading
-constexpr double kChartGap = 22;
-constexpr double kCellGap = 12;
+constexpr double kChartGap = 22, kCellGap = 12;
 constexpr double kCellName = 40;   // name and note below a cell
 constexpr double kCellRow = 222;   // a row of cells with their names, if there is only one
 constexpr double kCellRows = 172;  // each of several rows

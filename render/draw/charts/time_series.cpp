@@ -3,7 +3,6 @@
 #include <unordered_map>
 #include <unordered_set>
 #include "draw/scene/pairs.h"
-#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

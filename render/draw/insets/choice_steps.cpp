@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
@@ -7,8 +6,7 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kLabelSize = 17;
-constexpr double kDigit = 22;
+constexpr double kLabelSize = 17, kDigit = 22;
 
 /// The sign is the winding of the triangle.
 std::string signed_area(double value) {
@@ -88,6 +86,16 @@ struct ChoicePen : Pen {
     for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) side(from, to, 2, kContact);
   }
 
+  void arrow(const Vec2d& from, const Vec2d& tip) {
+    const Vec2d along = (tip - from).normalized(), across(-along.y(), along.x());
+    const double head = px(13);
+    stroke(from, tip - px(8) * along, 3, kNormal);
+    fill({pixel(tip), pixel(tip - head * along + 0.42 * head * across),
+          pixel(tip - head * along - 0.42 * head * across)},
+         kNormal);
+    placer.block(pixel(from), pixel(tip), px(8));
+  }
+
   /// The fixed direction, and the perpendicular line through the farthest point.
   void support(const Vec3d& direction) {
     const Vec2d on_page(plane.axes.u.dot(direction), -plane.axes.v.dot(direction));
@@ -102,13 +110,7 @@ struct ChoicePen : Pen {
     stroke(from, to, 2, kNormal, 7);
     placer.block(pixel(from), pixel(to), px(6));
     labels.push_back({at, "the farthest", kText, false});
-    const Vec2d tip = foot - px(3) * along;
-    stroke(middle, tip - px(8) * along, 3, kNormal);
-    const double head = px(13);
-    fill({pixel(tip), pixel(tip - head * along + 0.42 * head * across),
-          pixel(tip - head * along - 0.42 * head * across)},
-         kNormal);
-    placer.block(pixel(middle), pixel(tip), px(8));
+    arrow(middle, foot - px(3) * along);
     labels.push_back({middle - px(10) * along, "fixed direction", kText, false});
   }
 
@@ -130,7 +132,10 @@ struct ChoicePen : Pen {
     Vec2d at = place(measure.point);
     if (rule == "triangle" && winner) {
       triangle(measure.edge[0], measure.edge[1], measure.point);
-      labels.push_back(area_label(place(measure.edge[0]), place(measure.edge[1]), at, value));
+      const bool spelled = is_alone && shown == 3;
+      labels.push_back(area_label(place(measure.edge[0]), place(measure.edge[1]), at,
+                                  spelled ? "½ n · (e × f) = " + value : value));
+      if (spelled) cross_product(measure);
       return;
     }
     if (rule == "farthest") {
@@ -141,6 +146,17 @@ struct ChoicePen : Pen {
       return;
     }
     labels.push_back({at, value, color, winner});
+  }
+
+  /// The sides e and f whose cross product points out of the page, as the normal n does.
+  void cross_product(const trace::Measure& measure) {
+    Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
+    const Vec2d point = place(measure.point);
+    if (contactscope::cross(to - from, point - from) > 0) std::swap(from, to);  // y is down
+    for (const auto& [end, name] : {std::pair{to, "e"}, {point, "f"}}) {
+      arrow(from, end - px(kKeptReach) * (end - from).normalized());
+      labels.push_back({0.5 * (from + end), name, kText, true});
+    }
   }
 
   /// The winner with the edge that it is outside of; if several, the edge that decides.
@@ -174,7 +190,7 @@ struct ChoicePen : Pen {
     };
     const Vec2d corners[3] = {on_plane(0), on_plane(1), on_plane(2)}, point = on_plane(3);
     const double twice = contactscope::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    std::vector<Row> rows{{"edge", "area", "barycentric", "−: clockwise"}};
+    std::vector<Row> rows{{"edge e", "½ n · (e × f)", "barycentric", "−: clockwise"}};
     for (std::size_t k = 0; k < 3; ++k) {
       // Along the edges counter-clockwise, as seen.
       const std::size_t next = (k + 1) % 3, first = twice > 0 ? k : next, last = k + next - first;

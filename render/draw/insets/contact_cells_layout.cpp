@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "draw/insets/contact_cells.h"
 
 // Layout of contact cells, and the details that a canvas has no room for.

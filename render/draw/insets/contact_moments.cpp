@@ -1,8 +1,5 @@
-#include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
-#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

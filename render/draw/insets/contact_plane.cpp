@@ -1,9 +1,7 @@
 #include "draw/insets/contact_plane.h"
 
-#include "core/at.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {

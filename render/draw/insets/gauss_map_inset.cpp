@@ -1,8 +1,6 @@
-#include "core/at.h"
 #include "draw/insets/inset.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 /// The Gauss maps of A and −B on one sphere: each face is a point, each edge an arc between its two
@@ -23,8 +21,7 @@ constexpr Swatch kBestAxisSwatch{LegendGroup::Directions, 3, [](auto& pen) {
                                  }};
 
 constexpr Color kSphere = rgb(0xF3F4F6);
-constexpr int kArcSteps = 48;
-constexpr int kRingSteps = 96;
+constexpr int kArcSteps = 48, kRingSteps = 96;
 // Maximum angle between the best axis and the viewing direction.
 constexpr double kInFront = 42 * std::numbers::pi / 180;
 

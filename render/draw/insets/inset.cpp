@@ -1,7 +1,5 @@
 #include "draw/insets/inset.h"
 
-#include "draw/scene/pen.h"
-
 namespace contactscope::draw {
 namespace {
 
@@ -9,9 +7,7 @@ constexpr double kInsetFieldOfView = 30 * std::numbers::pi / 180;
 constexpr double kInsetShare = 0.82;  // of the viewport: labels need room around the contents
 constexpr double kSphereShare = 0.9;
 constexpr double kInsetHeading = 17;  // pixels at 720 lines
-constexpr double kInsetNote = 15;
-constexpr double kInsetHeadingRow = 26;
-constexpr double kInsetPadding = 10;
+constexpr double kInsetNote = 15, kInsetHeadingRow = 26, kInsetPadding = 10;
 
 bool is_inset(Panel panel) { return panel == Panel::Minkowski || panel == Panel::GaussMap; }
 

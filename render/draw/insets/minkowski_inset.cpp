@@ -1,9 +1,7 @@
-#include "core/at.h"
 #include "draw/insets/inset.h"
 #include "draw/scene/clip_story.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 /// The Minkowski difference B - A, and in it the simplex or polytope of an algorithm: van den

@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "core/spell.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/points.h"

@@ -1,7 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/tree_levels.h"
-#include "image/font.h"
 
 /// Cells, columns or nodes of a broad phase as tiles on their floors; darker tiles cost more tests.
 /// Tones are opaque and few. Where tiles overlap, the darkest is on top, so each visible tone is in

@@ -1,9 +1,7 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
-#include "image/font.h"
 
 /// Gregorius 2015, "Contact Points" and "Contact Manifolds"; the gap of separated shapes.
 namespace contactscope::draw {
@@ -329,8 +327,7 @@ void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
 }
 
 // With more crosses than this the polygon would be hidden.
-constexpr std::size_t kCrowd = 24;
-constexpr std::size_t kMaxNamedManifolds = 6;
+constexpr std::size_t kCrowd = 24, kMaxNamedManifolds = 6;
 
 constexpr Swatch kManifoldSwatch{LegendGroup::Points, 13,
                                  [](auto& pen) { pen.area(kContact, kKeptFill, 2); }};

@@ -1,9 +1,6 @@
-#include "core/at.h"
-#include "core/pose.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 /// Gregorius 2015, "Building Incremental Manifolds (1)"; Catto 2007, "GJK Contact Margins": shapes
@@ -20,11 +17,9 @@ constexpr Swatch kCoreSwatch{LegendGroup::Cores, 0,
                              [](auto& pen) { pen.area(kMargin, 0, 1.8, true); }};
 constexpr Swatch kRoundedSwatch{LegendGroup::Cores, 1, [](auto& pen) { pen.area(kMargin, 0, 2); }};
 
-constexpr int kRoundedSteps = 180;
-constexpr int kBisections = 40;
+constexpr int kRoundedSteps = 180, kBisections = 40;
 constexpr double kColumn = 30;  // pixels between the lines of a sum
-constexpr double kBeyondColumn = 7;
-constexpr double kMinOfSum = 6;
+constexpr double kBeyondColumn = 7, kMinOfSum = 6;
 
 struct CoreCorner {
   Vec3d at;  // world, metres

@@ -1,5 +1,4 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 /// Catto 2007, "Extreme Fuzziness": deeply overlapping hulls have several ways out. The shortest is

@@ -1,7 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 /// Slice through a distance field: contour lines, with a strong line for the surface, and faint
 /// cells with their own nodes or triangles. Dots are contact queries.

@@ -1,6 +1,5 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 /// Gregorius 2015, "Recap: Solving Contact": impulses of the solver at each point in the step that
 /// follows. Layers Loads and Friction modify how this layer draws them.
@@ -271,11 +270,13 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   trace::Point sum;
   const std::optional<PairPoint> one =
       shows_loads(scene) ? seen_as_one(scene, pair, sum) : std::nullopt;
+  const auto mark_point = [&](const Vec3d& at) {
+    if (scene.shows(Layer::Contacts)) return;
+    sketch.mark(MarkKind::Node, at, kContact);
+    sketch.explain(kPushedSwatch, "contact point", at);
+  };
   if (one && sum.impulse->normal > 0 && scene.camera.sees(sum.position)) {
-    if (!scene.shows(Layer::Contacts)) {
-      sketch.mark(MarkKind::Node, sum.position, kContact);
-      sketch.explain(kPushedSwatch, "contact point", sum.position);
-    }
+    mark_point(sum.position);
     if (moves_a && moves_b) draw_load_of_one(scene, *one, -side, sketch);
     return draw_load_of_one(scene, *one, side, sketch);
   }
@@ -288,10 +289,7 @@ void draw_impulses(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     // A separated point without an impulse has no arrow.
     if (stands_off(*point, scene.scales) && point->impulse->normal == 0) continue;
     const Vec3d out = side * manifold->normal;
-    if (!scene.shows(Layer::Contacts)) {
-      sketch.mark(MarkKind::Node, at, kContact);
-      sketch.explain(kPushedSwatch, "contact point", at);
-    }
+    mark_point(at);
     draw_normal_impulse(scene, *point, out, sketch);
     const bool pushes_both = moves_a && moves_b && points == 1;
     if (pushes_both) draw_normal_impulse(scene, *point, -out, sketch);

@@ -1,5 +1,5 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/quantity.h"
+#include "draw/scene/points.h"
 
 /// Gregorius 2015, "Building Incremental Manifolds": state and drift of each point in this frame.
 namespace contactscope::draw {
@@ -20,6 +20,10 @@ constexpr Swatch kAnchorsSwatch{LegendGroup::Points, 8, [](auto& pen) {
                                     pen.disc(pen.at(at), 2.4, kContact);
                                 }};
 
+constexpr int kCircle = 96;  // chords
+constexpr Swatch kRejectingSwatch{LegendGroup::Points, 9,
+                                  [](auto& pen) { pen.dashes(2, kMargin); }};
+
 // Whether a current point is drawn over this one.
 bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   return std::ranges::any_of(pair.incremental->points, [&](const auto& other) {
@@ -28,8 +32,8 @@ bool is_covered(const Scene& scene, const trace::Pair& pair, const Vec3d& at) {
   });
 }
 
-// Arrow from a replaced point to its successor, with the distance; from a rejected point a line to
-// the old point that is too close.
+// Arrow from a replaced point to its successor, with the distance; from a rejected or an added point
+// a line to the nearest old point.
 void lead_to_successor(const Scene& scene, const trace::Pair& pair,
                        const trace::PersistentPoint& point, Sketch& sketch) {
   const trace::PersistentPoint* nearest = nullptr;
@@ -37,14 +41,15 @@ void lead_to_successor(const Scene& scene, const trace::Pair& pair,
     return (other.point.position - point.point.position).norm();
   };
   for (const trace::PersistentPoint& other : pair.incremental->points) {
-    if (other.state != "broken" && (nearest == nullptr || away(other) < away(*nearest)))
+    if (&other != &point && other.state != "broken" &&
+        (nearest == nullptr || away(other) < away(*nearest)))
       nearest = &other;
   }
   if (nearest == nullptr) return;
   const Vec3d& from = point.point.position;
   const Vec3d offset = nearest->point.position - from;
   const double clear = kClearOfDot * scene.scales.pixel / scene.camera.pixels_per_metre(from);
-  if (point.reason == "too close")
+  if (point.reason != "replaced")
     sketch.bordered_line(from, from + offset, {2, kDropped}, 4);
   else if (offset.norm() > 2 * clear)
     sketch.arrow_to_scale(from, offset - clear * offset.normalized(), 2, 10, kDropped);
@@ -95,13 +100,31 @@ void draw_persistent_point(const Scene& scene, const trace::Pair& pair,
   sketch.explain(is_new ? kStateSwatch<PointState::New> : kStateSwatch<PointState::Persisted>,
                  is_new ? "new point" : "kept point, its age in frames", at);
   sketch.mark(is_new ? MarkKind::Dot : MarkKind::Half, at, kContact);
+  if (is_new && pair.incremental->rejects_within) lead_to_successor(scene, pair, point, sketch);
   if (scene.shows(Layer::Ids)) return;  // its id is written there
   Label& label = sketch.label(at, is_new ? "new" : std::to_string(point.age), kContact, 17, 12);
   if (!is_new) label.badge = Badge::Age;
 }
 
+/// Where a new point is too close to an old one, seen from the eye: a circle with its radius.
+void draw_rejecting(const Scene& scene, const trace::PersistentPoint& old, double radius,
+                    Sketch& sketch) {
+  const Vec3d &at = old.point.position, &right = scene.camera.right(), &up = scene.camera.up();
+  Curve& border = sketch.curves.emplace_back(Curve{{}, {2, kMargin, true}, true});
+  for (const Vec2d& on : circle(kCircle))
+    border.points.push_back(at + radius * (on.x() * right + on.y() * up));
+  const Vec3d end = at + radius * (0.5 * up - std::sqrt(0.75) * right);
+  sketch.line(at, end, {1.5f, kMargin});
+  sketch.label(0.5 * (at + end), spell_length(radius, 0, scene.scales.length), kMargin, 17, 9, up);
+  sketch.explain(kRejectingSwatch, "a new point in here is rejected", at + radius * up);
+}
+
 void draw_persistent_points(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   if (!pair.incremental) return;
+  if (pair.incremental->rejects_within)
+    for (const trace::PersistentPoint& point : pair.incremental->points)
+      if (point.state == "persisted")
+        draw_rejecting(scene, point, *pair.incremental->rejects_within, sketch);
   // A removed point is often at the place of its successor. Current points are drawn last, and the
   // removed one is a ring around them.
   for (const bool broken : {true, false}) {

@@ -1,6 +1,5 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 
 /// The survey's "Separating Axis Theorem", Fig. 3: both hulls projected onto the axis with the
 /// largest separation. A gap between the intervals proves that the hulls are separated; without one

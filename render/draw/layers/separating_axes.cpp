@@ -1,7 +1,6 @@
 
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 /// Gregorius 2015, "Hull vs Hull: The Separating Axis Test": layer sat_axes shows the best axis of
 /// each query, layer contact_axis the chosen axis and the edges that define it, layer orientation why

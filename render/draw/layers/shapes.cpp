@@ -1,7 +1,5 @@
-#include "core/at.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 namespace contactscope::draw {

@@ -1,6 +1,5 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/clip_story.h"
-#include "draw/scene/quantity.h"
 
 /// Support points on both shapes whose differences are the vertices of a simplex, or of the nearest
 /// face of a polytope. They have the same numbers as these vertices.

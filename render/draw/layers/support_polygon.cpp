@@ -1,6 +1,5 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {

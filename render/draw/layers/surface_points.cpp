@@ -1,7 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 
 /// Engines store a contact as one point, or as two: on the surface of A and on the surface of B.
 /// Draws both and the line between them, as debuggers of physics engines do, and the point midway,

@@ -1,7 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/solid.h"
 
 /// Motion of two shapes over the step, and their first contact: Catto 2013, "Continuous Collision".
@@ -288,6 +287,11 @@ std::vector<Pose<double>> spread(const std::vector<Pose<double>>& past, const Pl
     const double turn = 2 * (pose->rotation * after.rotation.conjugate()).vec().norm();
     if (offset + radius * turn >= kSpread * radius) kept.push_back(*pose);
   }
+  // Where the path begins, in place of an outline close to it.
+  const Vec3d begin = past.front().transform(middle);
+  if (kept.size() > 1 && (kept.back().transform(middle) - begin).norm() < kSpread * radius / 3)
+    kept.pop_back();
+  kept.push_back(past.front());
   std::ranges::reverse(kept);
   return kept;
 }

@@ -2,8 +2,6 @@
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
-#include "view/words.h"
 
 /// Collection of a mesh's candidate triangles: Gregorius 2015, "Mesh Contacts".
 namespace contactscope::draw {

@@ -1,7 +1,6 @@
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {

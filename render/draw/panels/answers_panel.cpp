@@ -1,6 +1,5 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 /// Answers of each pair, frame by frame, and the share of wrong ones: the survey's "false
 /// positives" of bounds. Without bounds, yes or no is a cell, and a distance or depth a column of
@@ -8,11 +7,9 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr double kAnswerBar = 14;      // pixels at 720 lines, height of a row of cells
-constexpr double kTallestBar = 26;     // pixels at 720 lines, height of the tallest column
-constexpr double kBelowAnswerBar = 3;  // pixels at 720 lines
-constexpr double kMinBetween = 8;      // pixels at 720 lines, between two rows
-constexpr double kMaxBetween = 16;
+// Pixels at 720 lines: a row of cells, the tallest column, and the room below and between rows.
+constexpr double kAnswerBar = 14, kTallestBar = 26, kBelowAnswerBar = 3;
+constexpr double kMinBetween = 8, kMaxBetween = 16;
 constexpr double kLargestAnswers = 1.25;  // factor of all sizes if there is room
 
 bool has_query(const trace::Pair& pair) { return pair.query.has_value(); }
@@ -72,10 +69,7 @@ class AnswersPanel : public PanelContent {
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading(is_sequence() ? "answers, frame by frame" : "answers");
-    if (histories_.empty()) {
-      sheet.paragraph("does not apply: no pair is asked anything in this sequence", kQuietText);
-      return {};
-    }
+    if (histories_.empty()) return sheet.inapplicable("no pair is asked anything in this sequence");
     const double room = sheet.rest().height / static_cast<double>(rows());
     const double row = row_height(), widest = kMaxBetween * static_cast<double>(scale_);
     larger_ = std::clamp(room / (row + widest), 1.0, kLargestAnswers);

@@ -1,6 +1,5 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 /// First contact of two moving shapes: Catto 2013, "Continuous Collision"; Mirtich 1996, section
 /// 2.3.
@@ -20,21 +19,15 @@ class ApproachPanel : public PanelContent {
   using PanelContent::PanelContent;
 
   PanelNeed need(const PanelMoment&) const override {
-    const auto high = [&](double chart) {
-      return Sheet::heading_height(scale_) + 3 * Sheet::line_height(scale_) +
-             static_cast<float>(chart + kApproachAbove + kApproachBelow) * scale_;
-    };
-    return {high(kMinApproach), high(kGoodApproach), high(1.4 * kGoodApproach), 0};
+    return need_of(kMinApproach, kGoodApproach, 1.4 * kGoodApproach,
+                   kApproachAbove + kApproachBelow, 3);
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("distance through the step");
     const std::vector<trace::Pair>& pairs = frames_[moment.frame].pairs;
     const auto pair = std::ranges::find_if(pairs, is_query_of_time);
-    if (pair == pairs.end()) {
-      sheet.paragraph("does not apply: no pair is asked when it meets", kQuietText);
-      return {};
-    }
+    if (pair == pairs.end()) return sheet.inapplicable("no pair is asked when it meets");
     const trace::Impact& impact = *pair->impact;
     sheet.row("method", in_words(impact.method) + ", " +
                             counted(impact.steps.size(), "iteration", "iterations"));

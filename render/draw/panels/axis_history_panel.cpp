@@ -12,8 +12,7 @@ constexpr std::array<AxisRow, 3> kAxisRows{
     {{"face_a", "faces of A"}, {"face_b", "faces of B"}, {"edge_edge", "edges"}}};
 
 // Lines of text.
-constexpr float kMaxRow = 3.6f, kMaxRowOfOne = 6;
-constexpr float kMinRow = 0.9f;
+constexpr float kMaxRow = 3.6f, kMaxRowOfOne = 6, kMinRow = 0.9f;
 constexpr float kAroundHistory = 2.8f;  // title, frame numbers and space below
 constexpr float kHeadline = 2.4f;       // number of cache hits, if one pair is shown
 constexpr float kTestsRow = 3;          // frames without a cache hit
@@ -75,11 +74,8 @@ class AxisHistoryPanel : public PanelContent {
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("chosen axis, frame by frame");
-    if (pairs_.empty()) {
-      sheet.paragraph("does not apply: no separating axis test of two hulls in this sequence",
-                      kQuietText);
-      return {};
-    }
+    if (pairs_.empty())
+      return sheet.inapplicable("no separating axis test of two hulls in this sequence");
     if (headline_height() > 0) draw_headline(pairs_.front().second, moment.frame, sheet);
     const float line = sheet.line_height();
     const float least = (kMinHistory + tests_row()) * line;

@@ -1,7 +1,6 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 /// The separating axis test of two bounds as on a blackboard: on each axis the interval of A above
 /// the interval of B, and the gap between them.
@@ -11,8 +10,7 @@ namespace {
 // Pixels at 720 lines.
 constexpr double kIntervalNames = 90, kGapColumn = 82;
 constexpr double kBar = 5;  // an interval
-constexpr float kBelowPair = 8;
-constexpr float kHeadRow = 4;
+constexpr float kBelowPair = 8, kHeadRow = 4;
 constexpr double kLargestIntervals = 1.25;  // factor of all sizes if there is room
 
 bool has_axes(const trace::Pair& pair) { return pair.query && !pair.query->axes.empty(); }
@@ -174,10 +172,8 @@ class EndpointsPanel : public PanelContent {
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("ends in order on three axes");
     const auto& phase = frames_[moment.frame].broad_phase;
-    if (!phase || phase->bounds.empty()) {
-      sheet.paragraph("does not apply: no broad phase chooses the pairs", kQuietText);
-      return {};
-    }
+    if (!phase || phase->bounds.empty())
+      return sheet.inapplicable("no broad phase chooses the pairs");
     const double axes_height =
         3 * (sheet.line_height() + static_cast<double>(sheet.pen().px(kAfterAxis)));
     const int shown = axes_shown(*phase);

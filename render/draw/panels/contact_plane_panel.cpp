@@ -2,7 +2,6 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -38,9 +37,8 @@ std::vector<PlacedShape> round_shapes(const ShapeMeshes& meshes, const trace::Fr
 std::vector<Point2> outline_of(const std::vector<Point2>& core, float radius) {
   const Point2 &first = core.front(), &last = core.back();
   std::vector<Point2> points;
-  for (int i = 0; i < kRoundSteps; ++i) {
-    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kRoundSteps;
-    const Point2 out{std::cos(angle), std::sin(angle)};
+  for (const Vec2d& at : circle(kRoundSteps)) {
+    const Point2 out = pixel(at.x(), at.y());
     points.push_back((dot(out, first - last) > 0 ? first : last) + radius * out);
   }
   return points;

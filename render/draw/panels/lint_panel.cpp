@@ -1,9 +1,7 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
-#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

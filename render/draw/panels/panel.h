@@ -31,6 +31,8 @@ class Sheet {
   void skip_to(double y) { y_ = static_cast<float>(y); }
   /// Writes "and 2 more pairs" and returns "2 pairs"; does nothing for 0.
   std::string more(std::size_t count, const char* one, const char* many);
+  /// Writes why there is nothing to show, and returns that nothing is missing.
+  std::string inapplicable(const std::string& reason);
 
   /// The area below the last row.
   Rect rest() const;
@@ -92,6 +94,16 @@ class PanelContent {
   virtual std::string lay_out(const PanelMoment& moment, Sheet& sheet) = 0;
 
  protected:
+  /// For a heading, lines of text and a chart of these heights, with `around` it; pixels at 720.
+  PanelNeed need_of(double least, double good, double wanted, double around, int lines = 0) const {
+    const auto high = [&](double chart) {
+      return Sheet::heading_height(scale_) +
+             static_cast<float>(lines) * Sheet::line_height(scale_) +
+             static_cast<float>(chart + around) * scale_;
+    };
+    return {high(least), high(good), high(wanted), 0};
+  }
+
   const Staging& staging_;
   const Frames& frames_;
   const float scale_;  // pixels for one pixel at 720 lines

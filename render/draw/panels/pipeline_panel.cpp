@@ -1,6 +1,5 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
-#include "image/font.h"
 
 /// Number of pairs that pass each stage of the pipeline: the survey's "Collision Pipeline",
 /// Gregorius 2015, "Collision Pipeline".

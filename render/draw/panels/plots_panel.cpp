@@ -1,22 +1,13 @@
-#include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr double kMinPlot = 46;
-constexpr double kMaxPlot = 220;
-constexpr double kBelowCharts = 14;
-constexpr double kTimeAxis = 20;
-constexpr double kNamesRow = 20;
-constexpr double kCurveSwatch = 22;
-constexpr double kStripHeading = 19;
-constexpr double kMaxIdStrip = 72;
+constexpr double kMinPlot = 46, kMaxPlot = 220, kBelowCharts = 14, kTimeAxis = 20, kNamesRow = 20;
+constexpr double kCurveSwatch = 22, kStripHeading = 19, kMaxIdStrip = 72;
 constexpr double kStripShare = 0.16;  // share of the height of all charts
-constexpr double kIdRow = 9;
-constexpr double kMinIdRow = 2.6;
+constexpr double kIdRow = 9, kMinIdRow = 2.6;
 constexpr double kLegibleIdRow = 3.4;  // thinner rows look like a solid block
 
 /// Results of the solver up to the current frame: stacked charts with one time axis below, and a

@@ -1,14 +1,11 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/layout.h"
-#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines.
-constexpr float kTextSize = 15, kHeadingSize = 16;
-constexpr float kLineSpacing = 4;
-constexpr float kUnderRule = 4;
+constexpr float kTextSize = 15, kHeadingSize = 16, kLineSpacing = 4, kUnderRule = 4;
 constexpr double kValueColumn = 84;
 
 float whole_size(float size, float scale) { return std::round(size * scale); }
@@ -107,6 +104,11 @@ std::string Sheet::more(std::size_t count, const char* one, const char* many) {
   if (count == 0) return {};
   line("and " + std::to_string(count) + " more " + (count == 1 ? one : many), kQuietText);
   return counted(count, one, many);
+}
+
+std::string Sheet::inapplicable(const std::string& reason) {
+  paragraph("does not apply: " + reason, kQuietText);
+  return {};
 }
 
 Rect Sheet::rest() const { return {rect_.x, y_, rect_.width, rect_.bottom() - y_}; }

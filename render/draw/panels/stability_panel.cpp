@@ -1,9 +1,6 @@
-#include "draw/charts/series_chart.h"
-#include "draw/insets/contact_plane.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -13,15 +10,9 @@ constexpr double kWordsLine = 19;
 constexpr double kMapReserve = 15;  // around a map's contents
 constexpr double kMinStabilityMap = 70;
 constexpr double kWordsAndMap = 65 + kMinStabilityMap;  // text below the map, name above it
-constexpr double kStabilityOverTime = 64;
-constexpr double kMinMarginChart = 58;
-constexpr double kMaxMarginChart = 120;
-constexpr double kVerdictRow = 17;
-constexpr double kTimeRow = 20;
-constexpr double kNameSwatch = 30;
-constexpr double kMapDot = 5.2;
-constexpr double kMapSquare = 4.6;
-constexpr double kMapCenter = 7.5;
+constexpr double kStabilityOverTime = 64, kMinMarginChart = 58, kMaxMarginChart = 120;
+constexpr double kVerdictRow = 17, kTimeRow = 20, kNameSwatch = 30, kMapDot = 5.2;
+constexpr double kMapSquare = 4.6, kMapCenter = 7.5;
 constexpr std::size_t kMaxMaps = 3;
 
 // One row for each, labelled with the last word.

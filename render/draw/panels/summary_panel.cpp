@@ -1,6 +1,5 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {

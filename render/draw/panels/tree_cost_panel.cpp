@@ -1,7 +1,5 @@
-#include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 /// Cost of queries in a refitted tree, and the effect of a rebuild.
 namespace contactscope::draw {
@@ -41,11 +39,7 @@ class TreeCostPanel : public PanelContent {
   using PanelContent::PanelContent;
 
   PanelNeed need(const PanelMoment&) const override {
-    const auto high = [&](double chart) {
-      return Sheet::heading_height(scale_) +
-             static_cast<float>(chart + kNames + kAxisBelow) * scale_;
-    };
-    return {high(kMinChart), high(1.3 * kMinChart), high(kMaxChart), 0};
+    return need_of(kMinChart, 1.3 * kMinChart, kMaxChart, kNames + kAxisBelow);
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
@@ -128,20 +122,13 @@ class NodePairsPanel : public PanelContent {
   using PanelContent::PanelContent;
 
   PanelNeed need(const PanelMoment&) const override {
-    const auto high = [&](double matrix) {
-      return Sheet::heading_height(scale_) + 4 * Sheet::line_height(scale_) +
-             static_cast<float>(matrix + kMatrixCaption) * scale_;
-    };
-    return {high(kMinMatrix), high(kGoodMatrix), high(kMaxMatrix), 0};
+    return need_of(kMinMatrix, kGoodMatrix, kMaxMatrix, kMatrixCaption, 4);
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     sheet.heading("triangles of A against those of B");
     const trace::Pair* pair = first_pair(frames_[moment.frame], has_node_pairs);
-    if (pair == nullptr) {
-      sheet.paragraph("does not apply: no two meshes are asked in this frame", kQuietText);
-      return {};
-    }
+    if (pair == nullptr) return sheet.inapplicable("no two meshes are asked in this frame");
     const std::vector<trace::NodePair>& visits = pair->query->node_pairs;
     const double all = static_cast<double>(visits[0].count_a) * visits[0].count_b;
     const double left_out = spared(visits);

@@ -1,7 +1,5 @@
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
@@ -10,8 +8,7 @@ constexpr float kBetweenRankings = 6;  // pixels at 720 lines
 constexpr double kNumberColumn = 18;
 constexpr float kRowHeight = 0.9f;  // of a line of text: rows are numbers on bars, read across
 
-constexpr std::size_t kRankedRows = 5;
-constexpr std::size_t kFewRankedRows = 3;
+constexpr std::size_t kRankedRows = 5, kFewRankedRows = 3;
 
 struct Ranking {
   Rank by;
@@ -198,11 +195,7 @@ class OverlapsPanel : public PanelContent {
   }
 
   PanelNeed need(const PanelMoment&) const override {
-    const auto high = [&](double bars) {
-      return Sheet::heading_height(scale_) +
-             scale_ * static_cast<float>(bars + kAboveBars + kBelowBars);
-    };
-    return {high(kMinBars), high(1.5 * kMinBars), high(kMaxBars), 0};
+    return need_of(kMinBars, 1.5 * kMinBars, kMaxBars, kAboveBars + kBelowBars);
   }
 
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {

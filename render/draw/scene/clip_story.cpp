@@ -1,7 +1,5 @@
 #include "draw/scene/clip_story.h"
 
-#include "core/at.h"
-#include "core/pose.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 

@@ -1,12 +1,8 @@
 #include <future>
 
 #include "core/at.h"
-#include "core/convex_polygon.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
-#include "draw/scene/pen.h"
-#include "draw/scene/sketch.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 namespace {

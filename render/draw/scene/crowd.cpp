@@ -3,9 +3,6 @@
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
-#include "draw/scene/visibility.h"
-#include "image/font.h"
-#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

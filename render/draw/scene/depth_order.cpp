@@ -3,7 +3,6 @@
 #include <deque>
 
 #include "core/at.h"
-#include "core/pose.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

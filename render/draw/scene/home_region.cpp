@@ -1,7 +1,5 @@
 #include "draw/scene/home_region.h"
 
-#include "core/at.h"
-
 namespace contactscope::draw {
 namespace {
 

@@ -7,9 +7,7 @@ namespace {
 
 constexpr int kRings = 9;
 // Rings on which labels avoid lines. A label with a fixed direction stays closer to its anchor.
-constexpr int kUncrossedRings = 14;
-constexpr int kUncrossedNearby = 6;
-constexpr int kDirections = 16;
+constexpr int kUncrossedRings = 14, kUncrossedNearby = 6, kDirections = 16;
 // Free space around a label's letters, pixels.
 constexpr float kPadding = 2;
 // A leader looks like part of a line if it starts within this distance, pixels, at a smaller angle.

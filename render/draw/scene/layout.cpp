@@ -2,20 +2,14 @@
 
 #include <sstream>
 
-#include "core/at.h"
 #include "draw/scene/clip_story.h"
-#include "draw/scene/palette.h"
-#include "draw/scene/pen.h"
 
 namespace contactscope::draw {
 namespace {
 
-constexpr double kPageMargin = 24;
-constexpr double kTitleSize = 28;
+constexpr double kPageMargin = 24, kTitleSize = 28;
 constexpr double kMinTitle = 22;  // smaller titles get a second line
-constexpr double kTitleOfTwoLines = 19, kMinTwoLines = 15;
-constexpr double kSourceSize = 15;
-constexpr double kPanelColumn = 356;
+constexpr double kTitleOfTwoLines = 19, kMinTwoLines = 15, kSourceSize = 15, kPanelColumn = 356;
 constexpr double kGutter = 16;
 // Text of 14 px at 720 lines is still 10 px high on the smallest pictures.
 constexpr float kMinScale = 0.72f;

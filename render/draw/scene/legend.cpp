@@ -1,8 +1,5 @@
 #include "draw/scene/legend.h"
 
-#include "image/font.h"
-#include "view/words.h"
-
 namespace contactscope::draw {
 namespace {
 

@@ -5,19 +5,15 @@
 namespace contactscope::draw {
 namespace {
 
-constexpr int kRounds = 4;
-constexpr int kDirections = 24;
+constexpr int kRounds = 4, kDirections = 24;
 constexpr std::array<double, 11> kRings = {9, 13, 18, 25, 34, 46, 62, 84, 112, 150, 200};
 constexpr double kLeaderFrom = 15;  // pixels at 720 lines; nearer labels need no leader
 constexpr double kMarkerRadius = 6;
 constexpr double kPadding = 1.5;  // free space around a label
 constexpr double kBetween = 5;    // more between labels: two names must not read as one
 // Costs of a pixel of a covered line, a covered marker and so on, in pixels of distance.
-constexpr double kCoveredPixel = 1.2;
-constexpr double kCoveredMarker = 45;
-constexpr double kLeaderCrossesLine = 16;
-constexpr double kLeaderCrossesMarker = 30;
-constexpr double kOtherEnd = 10;
+constexpr double kCoveredPixel = 1.2, kCoveredMarker = 45, kLeaderCrossesLine = 16;
+constexpr double kLeaderCrossesMarker = 30, kOtherEnd = 10;
 constexpr double kAgainstTheLine = 8;  // label is not to the right of its anchor
 
 /// Length of the part of a segment inside a box. Liang and Barsky 1984.

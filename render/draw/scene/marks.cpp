@@ -1,8 +1,6 @@
 #include <initializer_list>
 
-#include "draw/scene/quantity.h"
 #include "draw/scene/scene.h"
-#include "draw/scene/sketch.h"
 
 namespace contactscope::draw {
 namespace {
@@ -10,22 +8,11 @@ namespace {
 constexpr int kSteps = 12;  // for a quarter of a circle
 
 // Pixels at 720 lines.
-constexpr double kDotRadius = 5.5;
-constexpr double kDotHalo = 1.8;
-constexpr double kSpeckRadius = 2.4;
-constexpr double kDotBorder = 2.2;
-constexpr double kHaloed = kDotRadius + kDotHalo;
-constexpr double kSeparatedBorder = 1.2;
-constexpr double kCenterRadius = 9.5;
-constexpr double kFootRadius = 6.5;
-constexpr double kCoreRadius = 2.4;
-constexpr double kOriginRadius = 7.0;
-constexpr double kOriginHaloed = kOriginRadius + kDotHalo;
-constexpr double kNodeRadius = 4.0;
-constexpr double kSquare = 5.0;
-constexpr double kRingInner = 9.0;
-constexpr double kRingOuter = 11.2;
-constexpr double kCrossReach = 4.5;
+constexpr double kDotRadius = 5.5, kDotHalo = 1.8, kSpeckRadius = 2.4, kDotBorder = 2.2;
+constexpr double kHaloed = kDotRadius + kDotHalo, kSeparatedBorder = 1.2, kCenterRadius = 9.5;
+constexpr double kFootRadius = 6.5, kCoreRadius = 2.4, kOriginRadius = 7.0;
+constexpr double kOriginHaloed = kOriginRadius + kDotHalo, kNodeRadius = 4.0, kSquare = 5.0;
+constexpr double kRingInner = 9.0, kRingOuter = 11.2, kCrossReach = 4.5;
 
 /// Sector of a disc; angles in quarters of a turn, clockwise on the screen from the right.
 Fill sector(const Point2& center, float radius, int from, int to, const Color& color) {

@@ -1,5 +1,3 @@
-#include "core/at.h"
-#include "core/convex_polygon.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"
 
@@ -7,8 +5,7 @@ namespace contactscope::draw {
 namespace {
 
 // Edge lengths on the screen, pixels, between which the lines inside a surface fade.
-constexpr double kFaded = 5;
-constexpr double kFull = 60;
+constexpr double kFaded = 5, kFull = 60;
 constexpr float kThinAlpha = 0.45f;
 // A mesh with up to this many triangles is drawn like a hull: exact depth order, strong creases.
 constexpr std::size_t kFewTriangles = 120;
@@ -37,8 +34,7 @@ float thin_alpha(const Scene& scene, const PlacedShape& shape) {
 }
 
 // Distances between lines on the screen, pixels, over which they fade, to avoid a moiré.
-constexpr double kTooClose = 3;
-constexpr double kFarAway = 11;
+constexpr double kTooClose = 3, kFarAway = 11;
 
 // Remaining opacity of a line between triangles, which get narrower on the screen towards the
 // horizon. `seen`: each vertex on the screen.

@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "core/at.h"
-#include "core/convex_polygon.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

@@ -1,7 +1,5 @@
 #include "draw/scene/pairs.h"
 
-#include "draw/scene/palette.h"
-
 namespace contactscope::draw {
 namespace {
 

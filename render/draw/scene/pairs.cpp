@@ -2,9 +2,7 @@
 
 #include <charconv>
 
-#include "core/convex_polygon.h"
 #include "draw/scene/points.h"
-#include "view/words.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/convex_polygon.h"
 #include "core/pose.h"
-#include "core/vec3.h"
 
 /// Properties of point sets and polygons.
 namespace contactscope::draw {

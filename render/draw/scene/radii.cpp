@@ -14,13 +14,10 @@ constexpr double kBeyondColumn = 6;  // a line from a core extends this far beyo
 constexpr double kMinLength = 12;
 // Position of the text along a length: nearer to its core than to the overlap of both radii.
 constexpr double kLabelled = 0.4;
-constexpr float kLengthSize = 17;
-constexpr float kSumSize = 20;
-constexpr float kCoreSize = 16;
+constexpr float kLengthSize = 17, kSumSize = 20, kCoreSize = 16;
 constexpr double kCoreGap = 14;      // from a core to its name
 constexpr double kBeneathAxis = 34;  // from a core to its name, where the axis continues
-constexpr double kOnArrow = 45;
-constexpr double kSideOfRightAngle = 44;
+constexpr double kOnArrow = 45, kSideOfRightAngle = 44;
 constexpr double kSame = 1e-4;  // of a shape's size: nearer points count as the same
 
 constexpr LineStyle kVirtual{1.8f, kShapeEdge, true, LineStyle::Hidden::Same};

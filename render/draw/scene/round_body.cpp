@@ -3,7 +3,6 @@
 #include <initializer_list>
 
 #include "core/at.h"
-#include "core/convex_polygon.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 

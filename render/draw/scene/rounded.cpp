@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "draw/scene/points.h"
 #include "draw/scene/scene.h"
 

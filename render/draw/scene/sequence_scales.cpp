@@ -1,5 +1,4 @@
 #include "draw/scene/pairs.h"
-#include "draw/scene/quantity.h"
 
 namespace contactscope::draw {
 namespace {
