@@ -390,7 +390,8 @@ void Recorder<S>::minkowski(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b
       differences.push_back(direction(Vec3<S>(placed - vertex_a)));
   }
   try {
-    const Hull<double> hull = build_hull(differences, {.weld_duplicates = true});
+    const Hull<double> hull =
+        build_hull(differences, {.weld_duplicates = true, .allow_flat = true});
     trace::Minkowski& recorded = pair_.minkowski.emplace();
     recorded.vertices = hull.vertices;
     for (int face = 0; face < hull.face_count(); ++face)

@@ -1,6 +1,5 @@
 #include "manifold/collide_pairs.h"
 #include "query/sat.h"
-#include "study/depth_peer.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 
@@ -94,29 +93,6 @@ void judge_all(const Method& method, const HullCases& cases, Measurement& measur
   }
 }
 
-/// Bullet's separating axis test, as a line of its own if its program is found.
-void add_peer(const StudyOptions& options, const StudyGrid& grid,
-              const std::vector<HullCases>& cases, std::vector<trace::Study>& results) {
-  std::vector<trace::StudyPoint> points;
-  for (std::size_t p = 0; p < cases.size(); ++p) {
-    const auto peers = run_depth_peers(options.peer_folders, cases[p].exact, grid.repetitions);
-    const auto bullet = std::ranges::find(peers, "Bullet, SAT", &DepthPeer::name);
-    if (bullet == peers.end()) return;
-    Measurement measured(1, grid.cases);
-    for (const double time : bullet->nanoseconds) measured.times.add(time);
-    for (std::size_t i = 0; i < bullet->found.size(); ++i) {
-      const OverlappingHulls& exact = cases[p].exact[i];
-      if (bullet->found[i].depth < 0)
-        ++measured.failed;
-      else
-        measured.errors[0].add(std::abs(bullet->found[i].depth + exact.deepest.separation) /
-                               exact.size);
-    }
-    points.push_back(measured.point(grid.parameters[p], 0));
-  }
-  results[0].series.push_back({"Bullet, SAT", std::move(points)});
-}
-
 /// The times of a study as its errors, in microseconds.
 trace::Study times_of(trace::Study study) {
   study.measure = "time";
@@ -139,8 +115,7 @@ trace::Study times_of(trace::Study study) {
 ///
 /// The error is |separation - oracle| over the size of the hulls. Coherent contacts may prefer a
 /// slightly deeper axis, so the oracle measures the axis that they chose. Float errors include
-/// rounding of the input. A call fails if it finds no overlap. Bullet's test is a line if its program
-/// is found (depth_peer.h). "time": the least time of a call.
+/// rounding of the input. A call fails if it finds no overlap. "time": the least time of a call.
 std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
                                                const StudyProgress& progress) {
   const std::vector<Method> all = methods();
@@ -169,7 +144,6 @@ std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
       [&](std::size_t m, std::size_t size, std::size_t i) {
         return all[m].find(cases[size], i).separation;
       });
-  add_peer(options, grid, cases, results);
   results.push_back(times_of(results[0]));
   return results;
 }

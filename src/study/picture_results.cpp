@@ -325,38 +325,6 @@ std::string result_of_depths(Picture& plot) {
          "; MPR takes " + time(mpr) + ", and is " + plot.share(mpr) + " off";
 }
 
-std::string result_of_box_path(Picture& plot) {
-  if (plot.lines.size() < 2) throw std::out_of_range("no path is measured");
-  double least = 1e300, most = 0;
-  for (std::size_t i = 0; i < plot.lines[1].points.size(); ++i) {
-    const double ratio = error_of(plot.lines[0].points[i]) / error_of(plot.lines[1].points[i]);
-    least = std::min(least, ratio), most = std::max(most, ratio);
-  }
-  for (const StudySeries& line : plot.measured.series)
-    plot.mark(line.method, number(plot.error(line.method)) + " ns");
-  return "Two boxes by their own path are " + number(least) + " to " + number(most) +
-         " times as fast as by that of any hulls";
-}
-
-std::string result_of_trees(Picture& plot) {
-  if (plot.lines.empty()) throw std::out_of_range("no tree is measured");
-  // Marks the best volume at a gap, and returns its name.
-  const auto best_at = [&](double gap) {
-    StudySeries& best = *std::ranges::min_element(
-        plot.lines, {}, [&](const StudySeries& line) { return error_at(line, gap); });
-    const std::string name = best.method.substr(0, best.method.find(" ("));
-    for (trace::StudyPoint& point : best.points)
-      if (point.parameter == gap) point.mark = name;
-    return name;
-  };
-  if (plot.measured.measure == "tests") {
-    const std::string best = best_at(30);
-    return "Trees of " + best + " compare the fewest volumes where surfaces are 30 mm apart";
-  }
-  return "Trees of " + best_at(30) + " answer soonest at a gap of 30 mm, trees of " + best_at(300) +
-         " at 300 mm";
-}
-
 std::string result_of_distance(Picture& plot) {
   plot.drawn.signal.clear();
   // Beyond it only found contacts would count; the map of overlaps shows the lost ones.

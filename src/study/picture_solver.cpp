@@ -47,28 +47,6 @@ std::string result_of_jitter(Picture& plot) {
          plot.mark(rival.from, speed(rival)) + " with " + rival.to;
 }
 
-std::string result_of_max_points(Picture& plot) {
-  const StudySeries& line = series_of(plot.measured, plot.row.methods.front().from);
-  const auto speed = [&](double points) { return number(1000 * error_at(line, points)) + " mm/s"; };
-  const auto is_one = [](const StudyPoint& point) { return point.parameter == 1; };
-  StudySeries one = plot.lines.front();
-  one.method = "1 point";
-  std::erase_if(one.points, std::not_fn(is_one));
-  // Tables contain the numbers between.
-  plot.drop_points([&](const StudyPoint& point) {
-    return is_one(point) || !std::has_single_bit(static_cast<unsigned>(point.parameter));
-  });
-  plot.lines.front().method.clear();
-  for (StudyPoint& point : plot.lines.front().points)
-    point.mark = number(point.parameter) + " points";
-  plot.lines.push_back(std::move(one));
-  each_point(plot.drawn, [](StudyPoint& point) {
-    point.parameter = std::round(point.nanoseconds.median / 1000);
-  });
-  return "More points cost more time and steady a stack: on one it falls, on four it moves at " +
-         speed(4) + ", on eight at " + speed(8);
-}
-
 std::string result_of_ratios(Picture& plot) {
   double most = 0;  // the largest ratio at which any stack stands, with warm starting or without
   for (const StudySeries& series : plot.measured.series)

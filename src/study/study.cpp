@@ -83,6 +83,9 @@ const std::vector<StudyInfo>& studies() {
        &study_box_path},
       {"bounding_trees", "trees of boxes, oriented boxes and polytopes over two meshes",
        &study_bounding_trees},
+      {"distance",
+       "steps to the distance of hulls by V-Clip, GJK and all pairs; GJK without tolerances",
+       &study_distance},
       {"flip_distance", "smallest change of a pose after which the pair has other points",
        &study_flip_distance, true},
   };

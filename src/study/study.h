@@ -35,7 +35,8 @@ using RunStudy = std::vector<trace::Study>(const StudyOptions& options,
 RunStudy study_reducers, study_hull_precision, study_penetration, study_limits,
     study_manifold_stability, study_solver, study_overlap, study_broad_phase, study_meshes,
     study_triangles, study_time_of_impact, study_tunnelling, study_distance_field,
-    study_flip_distance, study_ghosts, study_phase, study_box_path, study_bounding_trees;
+    study_flip_distance, study_ghosts, study_phase, study_box_path, study_bounding_trees,
+    study_distance;
 
 struct StudyInfo {
   std::string name;

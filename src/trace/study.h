@@ -83,6 +83,7 @@ enum class StudyForm {
                   // 0 separated, 1 touching, 2 crossing; failed if the answer is wrong
   Features,       // likewise, coloured by what makes the contact of two hulls: 0 nothing, 1 a face
                   // of A, 2 a face of B, 3 two edges
+  Bars,           // a bar per line, as long as the error of its only point; pictures only
 };
 
 /// Whether a study is drawn as cells.
@@ -90,9 +91,10 @@ constexpr bool has_cells(StudyForm form) {
   return form == StudyForm::Map || form == StudyForm::Answers || form == StudyForm::Features;
 }
 
-/// "work_precision", "curves", "map", "answers", "features".
+/// "work_precision", "curves", "map", "answers", "features", "bars".
 constexpr const char* to_string(StudyForm form) {
-  constexpr const char* kNames[] = {"work_precision", "curves", "map", "answers", "features"};
+  constexpr const char* kNames[] = {"work_precision", "curves",   "map",
+                                    "answers",        "features", "bars"};
   return kNames[static_cast<int>(form)];
 }
 

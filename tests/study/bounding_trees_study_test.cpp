@@ -10,7 +10,7 @@ TEST(BoundingTreesStudy, NoVolumeMissesAnIntersectionAndCloserOnesCompareLess) {
   options.repetitions = 1;
   const std::vector<trace::Study> studies =
       study_bounding_trees(options, [](int, int, const std::string&) {});
-  ASSERT_EQ(studies.size(), 2u);
+  ASSERT_EQ(studies.size(), 1u);
   const std::vector<trace::StudySeries>& tests = studies[0].series;
   ASSERT_EQ(tests.size(), 3u);
   for (const trace::StudySeries& line : tests) {

@@ -52,8 +52,10 @@ TEST(OverlapStudy, TheLecturesSearchFindsWhatItsSlidesDraw) {
   ASSERT_TRUE(corner.has_value());
   EXPECT_NEAR(corner->depth, 0.1, 1e-12);
   EXPECT_LT((corner->normal - Vec3d::UnitY()).norm(), 1e-12);
-  const Pose<double> across{Quatd(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3d::UnitX())), {}};
-  const Pose<double> ridge{Quatd(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3d::UnitZ())), {}};
+  const Pose<double> across{Quatd(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3d::UnitX())),
+                            Vec3d::Zero()};
+  const Pose<double> ridge{Quatd(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3d::UnitZ())),
+                           Vec3d::Zero()};
   const Vec3d bar(3, 1, 1), other(1, 1, 3);
   // Two ridges that cross at right angles, 0.2 past each other along y.
   const Pose<double> b_in_a = [&] {

@@ -218,6 +218,7 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
 Drawing plot(const trace::Study& measured, int width, int height) {
   const trace::Study study = named_in_words(measured);
   if (study.form == trace::StudyForm::Curves) return plot_curves(study, width, height);
+  if (study.form == trace::StudyForm::Bars) return plot_bars(study, width, height);
   if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);
   if (trace::has_cells(study.form)) return plot_answers(study, width, height);
 

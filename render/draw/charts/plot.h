@@ -7,7 +7,7 @@
 
 namespace contactscope::draw {
 
-/// Plots a study in its form. Curves, maps and answers have functions below.
+/// Plots a study in its form. All but work precision have functions below.
 ///
 /// Work precision: error against run time, both axes logarithmic, one line per method. One panel
 /// for the mean error and one for the worst if the study has it, stacked on a portrait page. If
@@ -47,6 +47,10 @@ Drawing plot_map(const trace::Study& study, int width, int height);
 /// row (up), both consecutive integers, in the colour of the answer, with a black square if it is
 /// wrong. Above each panel is the number of wrong answers.
 Drawing plot_answers(const trace::Study& study, int width, int height);
+
+/// Panels of a study of form Bars, side by side: a bar per series, linear from zero, with its mark at
+/// the end; without an error a cross. study.signal is a goal: a dashed line across the bars.
+Drawing plot_bars(const trace::Study& study, int width, int height);
 
 /// Labels the lower edge of the area: decades of a logarithmic axis, as many as fit, or round
 /// numbers. Draws grid lines if `grid`. If `values` is not empty, it gives the ticks instead.

@@ -59,7 +59,8 @@ std::vector<Inset> stage_insets(const std::vector<Panel>& panels, const Vec3d& w
     if (!sphere && !camera.is_perspective()) {
       insets.push_back(
           {panels[i], frame,
-           parallel_camera(camera, minkowski_extent(frames), direction, world_up, viewport)});
+           parallel_camera(camera, minkowski_extent(frames), direction, world_up, viewport),
+           i > 0 && panels[i - 1] == panels[i]});
       continue;
     }
     if (!sphere) {

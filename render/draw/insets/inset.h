@@ -8,9 +8,10 @@
 namespace contactscope::draw {
 
 struct Inset {
-  Panel panel;    // Minkowski or GaussMap
-  Rect frame;     // on the canvas, including the heading
-  Camera camera;  // same direction as the shapes' camera
+  Panel panel;         // Minkowski or GaussMap
+  Rect frame;          // on the canvas, including the heading
+  Camera camera;       // same direction as the shapes' camera
+  bool later = false;  // the step after the frame's
 };
 
 /// Contents of an inset for one frame.

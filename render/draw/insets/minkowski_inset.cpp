@@ -57,6 +57,7 @@ struct DifferencePen {
   double smallest;
   double size;  // of the difference, metres
   LengthUnit unit;
+  bool shows_search;
   Sketch& sketch;
 
   void vertex(const SimplexStep& step, std::size_t i) const {
@@ -89,6 +90,9 @@ struct DifferencePen {
             const std::string& gain = "") const {
     if (!step.next) return;
     const Vec3d at = difference(*step.next);
+    sketch.mark(MarkKind::Hollow, at, step_color(step));
+    sketch.label(at, "next point" + gain, step_color(step), 16, 12);
+    if (!shows_search) return;
     const Vec3d along = search.cross(camera.to_eye(at)).normalized();
     const double least = kMinSearch * static_cast<double>(scale) / camera.pixels_per_metre(from);
     const Vec3d end = from + std::max(least, (at - from).dot(search)) * search;
@@ -109,8 +113,6 @@ struct DifferencePen {
                   with_alpha(kText, 0.05f), {1.2f, kText, true, LineStyle::Hidden::Same});
     }
     sketch.explain(kFarthestSwatch, "no point lies beyond");
-    sketch.mark(MarkKind::Hollow, at, step_color(step));
-    sketch.label(at, "next point" + gain, step_color(step), 16, 12);
   }
 
   /// Draws all edges and triangles of a simplex.
@@ -226,7 +228,11 @@ std::vector<Vec3d> minkowski_extent(const std::vector<trace::Frame>& frames) {
 
 InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   InsetPicture picture;
-  picture.heading = "Minkowski difference B − A";
+  const bool has_two_steps = scene.view.layers.empty();
+  picture.heading = std::string(inset.later     ? "After: "
+                                : has_two_steps ? "Before: "
+                                                : "") +
+                    "Minkowski difference B − A";
   const trace::Pair* pair = first_pair(scene.frame, has_difference);
   Sketch& sketch = picture.sketch;
   double size = 0;
@@ -249,12 +255,16 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   sketch.mark(held ? MarkKind::HeldOrigin : MarkKind::Origin, Vec3d::Zero(), kNormal);
   sketch.label(Vec3d::Zero(), "origin", kNormal, 15, 12, Vec3d(-inset.camera.right()));
   if (pair == nullptr) return picture;
-  const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, *pair);
+  const std::optional<SimplexStep> step = simplex_step(scene.view, scene.frame, *pair, inset.later);
   picture.note = note_of(*pair, step);
   // Rounding errors in float have this size.
-  const DifferencePen pen{inset.camera,        static_cast<float>(scene.scales.pixel),
-                          1e-6 * size,         size,
-                          scene.scales.length, sketch};
+  const DifferencePen pen{inset.camera,
+                          static_cast<float>(scene.scales.pixel),
+                          1e-6 * size,
+                          size,
+                          scene.scales.length,
+                          !scene.view.layers.empty(),
+                          sketch};
   if (step && step->polytope != nullptr)
     pen.polytope(*step);
   else if (step)

@@ -108,14 +108,16 @@ constexpr Swatch kWalkSwatch{LegendGroup::Faces, 7, [](auto& pen) {
                                pen.dot(0, 3.5, kDropped);
                              }};
 
-constexpr Color kRegion = with_alpha(kMargin, 0.10f);
-constexpr LineStyle kRegionBorder{1.2f, with_alpha(kMargin, 0.8f), true};
-constexpr Swatch kRegionSwatch{LegendGroup::Faces, 8,
-                               [](auto& pen) { pen.box(kRegion, kRegionBorder.color, 1); }};
+constexpr Swatch kRegionSwatches[] = {
+    {LegendGroup::Faces, 8, [](auto& pen) { pen.box(with_alpha(kArcOfA, 0.15f), kArcOfA, 1); }},
+    {LegendGroup::Faces, 9, [](auto& pen) { pen.box(with_alpha(kArcOfB, 0.15f), kArcOfB, 1); }}};
 
 /// The Voronoi region of a feature with these corners, between the normals of the faces that meet
 /// there. Mirtich 1998, section 2.1.
-void draw_region(const PlacedShape& shape, const std::vector<Vec3d>& corners, Sketch& sketch) {
+void draw_region(const PlacedShape& shape, const std::vector<Vec3d>& corners, bool of_a,
+                 Sketch& sketch) {
+  const Color color = of_a ? kArcOfA : kArcOfB, fill = with_alpha(color, 0.15f);
+  const LineStyle border{1.2f, color, true};
   std::vector<Vec3d> out;  // its edges, as long as the shape: it has no end
   for (int face = 0; face < count_of(shape.mesh->normals); ++face) {
     const std::vector<Vec3d> polygon = shape.polygon(face);
@@ -126,13 +128,15 @@ void draw_region(const PlacedShape& shape, const std::vector<Vec3d>& corners, Sk
   for (std::size_t k = 0; k < out.size(); ++k) {
     for (std::size_t i = 0; i < (corners.size() > 2 ? corners.size() : corners.size() - 1); ++i) {
       const Vec3d &from = corners[i], &to = corners[(i + 1) % corners.size()];
-      sketch.face({from, to, to + out[k], from + out[k]}, kRegion, kRegionBorder);
+      sketch.face({from, to, to + out[k], from + out[k]}, fill, border);
     }
     for (std::size_t other = 0; other < k; ++other)  // at a corner of three faces all are adjacent
       for (const Vec3d& corner : corners)
-        sketch.face({corner, corner + out[k], corner + out[other]}, kRegion, kRegionBorder);
+        sketch.face({corner, corner + out[k], corner + out[other]}, fill, border);
   }
-  sketch.explain(kRegionSwatch, "Voronoi region of A's feature: no other is nearer");
+  sketch.explain(kRegionSwatches[of_a ? 0 : 1], of_a
+                                                    ? "Voronoi region of A's feature"
+                                                    : "of B's: no other of its features is nearer");
 }
 
 /// The features that V-Clip compares in this frame, and the path over the middles of those before.
@@ -157,7 +161,7 @@ void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       if (k < shown) sketch.mark(MarkKind::Node, middle, kDropped);
       before = middle;
     }
-    if (of_a) draw_region(*shape, corners, sketch);
+    draw_region(*shape, corners, of_a, sketch);
     if (corners.size() == 1) {
       sketch.mark(MarkKind::WideRing, corners[0], kIncidentFace);
       ends.push_back(corners[0]);

@@ -152,7 +152,7 @@ void draw_clip_story(const Scene& scene, const trace::Pair& pair, Sketch& sketch
 }
 
 std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& frame,
-                                        const trace::Pair& pair) {
+                                        const trace::Pair& pair, bool later) {
   using Of = SimplexStep::Of;
   // `lists`: vertices of each step.
   const auto shown = [&](Of of, Story story, const std::vector<Vertices>& lists) {
@@ -161,7 +161,8 @@ std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& fr
     SimplexStep result;
     result.of = of;
     result.steps = count_of(lists) - before;
-    result.step = view.story == story ? std::clamp(frame.frame, 0, result.steps) : result.steps;
+    result.step =
+        view.story == story ? std::clamp(frame.frame + later, 0, result.steps) : result.steps;
     Vertices known;  // support points in the order of discovery
     for (int k = 0; k < result.step + before; ++k) {
       result.vertices = at(lists, k);

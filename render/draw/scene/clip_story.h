@@ -55,10 +55,10 @@ struct SimplexStep {
   bool last() const { return step == steps; }
 };
 
-/// If the view shows steps, frame k shows the state after step k, and later frames the last step.
-/// Otherwise the last step. Nothing if the pair has no such record.
+/// If the view shows steps, frame k shows the state after step k, `later` after step k + 1, and
+/// later frames the last step. Otherwise the last step. Nothing if the pair has no such record.
 std::optional<SimplexStep> simplex_step(const View& view, const trace::Frame& frame,
-                                        const trace::Pair& pair);
+                                        const trace::Pair& pair, bool later = false);
 
 /// Point nearest to the origin in the convex hull of one to four points.
 Vec3d nearest_to_origin(const std::vector<Vec3d>& points);

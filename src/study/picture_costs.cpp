@@ -1,0 +1,116 @@
+#include "study/picture.h"
+
+/// Pictures of what a choice saves and costs.
+namespace contactscope::record {
+namespace {
+
+using trace::StudyPoint, trace::StudySeries;
+
+/// Draws each line's point as two bars: its time, all in one unit, and its error in words.
+void show_bars(Picture& plot, const std::string& time, const std::string& error,
+               std::string spell(const StudyPoint&)) {
+  std::vector<StudySeries> bars = plot.lines;
+  double most = 0;
+  for (StudySeries& bar : bars) {
+    StudyPoint& point = bar.points.front();
+    point.error = point.nanoseconds.min;
+    most = std::max(most, *point.error);
+    bar.panel = time;
+  }
+  const auto [unit, name] = most < 1e6 ? std::pair(1e3, " µs") : std::pair(1e6, " ms");
+  for (StudySeries& bar : bars)
+    bar.points.front().mark = number(*bar.points.front().error / unit) + name;
+  for (StudySeries& line : plot.lines) {
+    line.panel = error;
+    line.points.front().mark = spell(line.points.front());
+    bars.push_back(line);
+  }
+  plot.lines = std::move(bars);
+  plot.drawn.form = trace::StudyForm::Bars;
+}
+
+}  // namespace
+
+std::string result_of_box_path(Picture& plot) {
+  const char *const any = "by the path of any hulls", *const own = "by the path of boxes";
+  double least = 1e300, most = 0;
+  for (const StudyPoint& slow : series_of(plot.measured, any).points) {
+    const double ratio = error_of(slow) / error_at(series_of(plot.measured, own), slow.parameter);
+    least = std::min(least, ratio), most = std::max(most, ratio);
+  }
+  const double saved = plot.error(any) - plot.error(own);
+  plot.mark(any, duration(plot.error(any)));
+  plot.mark(
+      own, duration(plot.error(own)) + ": saves " + duration(saved) + ", costs a second code path");
+  StudySeries& goal = plot.lines.emplace_back(plot.lines.back());
+  goal.method = plot.drawn.signal = "goal";
+  goal.points.front().mark = "goal: as fast as the special path";
+  plot.drawn.form = trace::StudyForm::Bars;
+  return "Goal missed: as a general hull a box takes " + number(least) + " to " + number(most) +
+         " times as long as by a special path";
+}
+
+std::string result_of_trees(Picture& plot) {
+  const double oriented = plot.error("oriented boxes (OBBs)");
+  const std::string fewer = number(plot.error("axis-aligned boxes (AABBs)") / oriented);
+  show_bars(plot, "time of a query", "volumes that it compares",
+            [](const StudyPoint& point) { return count(*point.error); });
+  return "Closer volumes cost more memory and prune more: trees of OBBs compare 1/" + fewer +
+         " of what AABBs do";
+}
+
+std::string result_of_precision(Picture& plot) {
+  const char *const in_float = "float, separating axis test", *const in_double =
+                                                                  "double, separating axis test";
+  const double slower =
+      plot.point(in_double).nanoseconds.min / plot.point(in_float).nanoseconds.min;
+  const double closer = plot.error(in_float) / plot.error(in_double);
+  show_bars(plot, "least time of a call", "error of the depth / size of the hulls",
+            [](const StudyPoint& point) { return power(*point.error); });
+  return "Double finds the depth of two hulls " +
+         power(std::pow(10, std::round(std::log10(closer)))) + " times as exactly as float, in " +
+         number(slower) + " times the time";
+}
+
+std::string result_of_max_points(Picture& plot) {
+  const StudySeries line = plot.lines.at(0);
+  const StudySeries& measured = series_of(plot.measured, plot.row.methods.front().from);
+  const auto speed = [&](double points) {
+    return number(1000 * error_at(measured, points)) + " mm/s";
+  };
+  const std::string at_four = speed(4), at_eight = speed(8);
+  plot.lines.clear();
+  for (const StudyPoint& point : line.points) {  // tables contain the numbers between
+    if (!std::has_single_bit(static_cast<unsigned>(point.parameter))) continue;
+    const std::string name =
+        number(point.parameter) + (point.parameter == 1 ? " point" : " points");
+    plot.lines.push_back({name, {point}, "", "", {}, 0});
+  }
+  show_bars(plot, "cost: time of a frame", "instability: speed of boxes that should rest",
+            [](const StudyPoint& point) {
+              return point.error ? number(*point.error) + " mm/s" : "the stack falls";
+            });
+  plot.lines.front().points.front().mark += ", as it falls";
+  return "More points cost more time and steady a stack: on one it falls, on four it moves at " +
+         at_four + ", on eight at " + at_eight;
+}
+
+std::string result_of_pairs(Picture& plot) {
+  const auto steps = [&](const char* method) { return count(plot.error(method)); };
+  const std::string all =
+      plot.mark("all pairs of features", steps("all pairs of features") + " pairs");
+  const std::string walked = plot.mark("V-Clip", steps("V-Clip") + " pairs");
+  const std::string searched = plot.mark("GJK", steps("GJK") + " steps");
+  return "Of " + all + " of features of two hulls of 128 vertices V-Clip compares " +
+         steps("V-Clip") + "; GJK takes " + searched;
+}
+
+std::string result_of_gains(Picture& plot) {
+  StudySeries &without = plot.lines.at(0), &with = plot.lines.at(1);
+  const std::string ends = count(with.points.at(0).parameter + double(with.points.size()) - 1);
+  with.points.back().mark = "ends at step " + ends;
+  return "Points near one plane: without tolerances GJK cycles until its cap of " +
+         count(double(without.points.size())) + " steps, with them it ends at step " + ends;
+}
+
+}  // namespace contactscope::record
