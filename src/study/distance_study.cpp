@@ -40,7 +40,8 @@ double over_faces(const Hull<double>& a, const Hull<double>& b, const Pose<doubl
   return least;
 }
 
-/// Every vertex against every face and every edge against every edge, as in the lecture's search.
+/// Every vertex against every face and every edge against every edge, as in the lecture's search; they
+/// decide for all pairs of features.
 Stepped all_pairs(const SeparatedHulls& c) {
   double least = std::min(over_faces(c.a, c.b, c.b_in_a),
                           over_faces(c.b, c.a, relative_pose(c.b_in_a, Pose<double>())));
@@ -50,9 +51,10 @@ Stepped all_pairs(const SeparatedHulls& c) {
                                                           c.b_in_a.transform(c.b.origin(j)),
                                                           c.b_in_a.transform(c.b.target(j)))
                                   .distance);
-  return {least, double(c.a.vertex_count()) * c.b.face_count() +
-                     double(c.b.vertex_count()) * c.a.face_count() +
-                     double(c.a.edge_count()) * c.b.edge_count()};
+  const auto features = [](const Hull<double>& hull) {
+    return double(hull.vertex_count() + hull.edge_count() + hull.face_count());
+  };
+  return {least, features(c.a) * features(c.b)};
 }
 
 struct DistanceSearch {

@@ -51,12 +51,22 @@ std::string result_of_box_path(Picture& plot) {
 }
 
 std::string result_of_trees(Picture& plot) {
-  const double oriented = plot.error("oriented boxes (OBBs)");
-  const std::string fewer = number(plot.error("axis-aligned boxes (AABBs)") / oriented);
+  const char *const aligned = "axis-aligned boxes (AABBs)",
+                    *const oriented = "oriented boxes (OBBs)",
+                    *const planes = "k-DOPs (k = 18 planes)";
+  const auto time = [&](const char* volume) { return plot.point(volume).nanoseconds.min; };
+  const std::string fewer = number(plot.error(aligned) / plot.error(oriented));
+  const std::string faster = percent(time(oriented) / time(aligned));
+  const auto is_middle = [](double low, double value, double high) {
+    return low < value && value < high;
+  };
+  const bool is_between =
+      is_middle(plot.error(oriented), plot.error(planes), plot.error(aligned)) &&
+      is_middle(time(oriented), time(planes), time(aligned));
   show_bars(plot, "time of a query", "volumes that it compares",
             [](const StudyPoint& point) { return count(*point.error); });
-  return "Closer volumes cost more memory and prune more: trees of OBBs compare 1/" + fewer +
-         " of what AABBs do";
+  return "Trees of OBBs compare 1/" + fewer + " of the volumes that trees of AABBs do, in " +
+         faster + " of the time" + (is_between ? "; 18-DOPs are between" : "");
 }
 
 std::string result_of_precision(Picture& plot) {
@@ -67,18 +77,17 @@ std::string result_of_precision(Picture& plot) {
   const double closer = plot.error(in_float) / plot.error(in_double);
   show_bars(plot, "least time of a call", "error of the depth / size of the hulls",
             [](const StudyPoint& point) { return power(*point.error); });
-  return "Double finds the depth of two hulls " +
-         power(std::pow(10, std::round(std::log10(closer)))) + " times as exactly as float, in " +
-         number(slower) + " times the time";
+  return "Double finds the depth of two hulls " + power(closer) +
+         " times as exactly as float, in " +
+         (slower < 1.5 ? "hardly more" : number(slower) + " times the") + " time";
 }
 
 std::string result_of_max_points(Picture& plot) {
   const StudySeries line = plot.lines.at(0);
   const StudySeries& measured = series_of(plot.measured, plot.row.methods.front().from);
-  const auto speed = [&](double points) {
-    return number(1000 * error_at(measured, points)) + " mm/s";
-  };
-  const std::string at_four = speed(4), at_eight = speed(8);
+  const std::string faster =
+      number(point_at(measured, 8).nanoseconds.min / point_at(measured, 4).nanoseconds.min);
+  const std::string at_four = number(1000 * error_at(measured, 4)) + " mm/s";
   plot.lines.clear();
   for (const StudyPoint& point : line.points) {  // tables contain the numbers between
     if (!std::has_single_bit(static_cast<unsigned>(point.parameter))) continue;
@@ -88,11 +97,12 @@ std::string result_of_max_points(Picture& plot) {
   }
   show_bars(plot, "cost: time of a frame", "instability: speed of boxes that should rest",
             [](const StudyPoint& point) {
-              return point.error ? number(*point.error) + " mm/s" : "the stack falls";
+              return point.error ? number(std::round(100 * *point.error) / 100) + " mm/s"
+                                 : "the stack falls";
             });
   plot.lines.front().points.front().mark += ", as it falls";
-  return "More points cost more time and steady a stack: on one it falls, on four it moves at " +
-         at_four + ", on eight at " + at_eight;
+  return "With 4 points instead of 8 a frame is " + faster +
+         " times as fast, and the stack moves at " + at_four + "; on one point it falls";
 }
 
 std::string result_of_pairs(Picture& plot) {
@@ -101,8 +111,8 @@ std::string result_of_pairs(Picture& plot) {
       plot.mark("all pairs of features", steps("all pairs of features") + " pairs");
   const std::string walked = plot.mark("V-Clip", steps("V-Clip") + " pairs");
   const std::string searched = plot.mark("GJK", steps("GJK") + " steps");
-  return "Of " + all + " of features of two hulls of 128 vertices V-Clip compares " +
-         steps("V-Clip") + "; GJK takes " + searched;
+  return "V-Clip compares " + steps("V-Clip") + " of " + all + " of features; GJK takes " +
+         searched + ", each a search over vertices";
 }
 
 std::string result_of_gains(Picture& plot) {

@@ -30,13 +30,14 @@ const PictureOptions kLostArea{
 
 const std::vector<Kept> kDepthMethods = {
     {"double, SAT", "separating axis test"}, {"double, EPA by tolerance", "EPA"},
-    {"double, MPR by tolerance", "MPR"},     {"double, sampling", "8192 directions"},
+    {"double, MPR by tolerance", "MPR"},     {"double, sampling", "sampling, 8192 directions"},
     {"Bullet, EPA", "Bullet, EPA", kQuiet},  {"Bullet, SAT", "Bullet, SAT", kQuiet},
     {"libccd, EPA", "libccd, EPA", kQuiet},  {"libccd, MPR", "libccd, MPR", kQuiet}};
 // libccd 2.1 splits the nearest face alone (expandPolytope), not all that the new point sees.
 constexpr const char* kPenetration =
-    "Two hulls of 32 vertices, from kissing to concentric. Grey: other libraries; the polytope of "
-    "libccd's EPA does not stay convex";
+    "Two hulls of 32 vertices, from kissing to concentric. GJK and V-Clip find no depth. Grey: "
+    "other "
+    "libraries; the polytope of libccd's EPA does not stay convex";
 const std::vector<Kept> kPrecisions = {{"float, separating axis test", "float"},
                                        {"double, separating axis test", "double"}};
 const std::vector<Kept> kGains = {{"without tolerances", "without tolerances", false, 1},
@@ -44,7 +45,7 @@ const std::vector<Kept> kGains = {{"without tolerances", "without tolerances", f
                                   {"tolerance", "tolerance: rounding", kQuiet},
                                   {"cap", "cap of 256 steps", kQuiet}};
 const std::vector<Kept> kBoxPaths = {{"by the path of any hulls", "as a general hull"},
-                                     {"by the path of boxes", "by a special path"}};
+                                     {"by the path of boxes", "with code of its own"}};
 const std::vector<Kept> kVolumes = {{"axis-aligned boxes (AABBs)", "AABB: 24 bytes"},
                                     {"oriented boxes (OBBs)", "OBB: 60 bytes"},
                                     {"k-DOPs (k = 18 planes)", "18-DOP: 72 bytes"}};
@@ -228,13 +229,15 @@ const std::vector<PictureRow>& picture_rows() {
           {.at = 6, .only_at = true, .left_out = {"; efforts", ""}}),
 
       row("hull_precision", "depth", kPrecisions, kAll, "", "",
-          "The separating axis test of hulls of 32 vertices that overlap by 1 to 10 % of their size",
+          "The separating axis test of hulls of 32 vertices that overlap by 1 to 10 % of their size; "
+          "deeper pairs take longer",
           {.at = 32, .only_at = true}, &result_of_precision),
       row("distance", "pairs", kAll, kAll, "", "",
-          "Up: pairs of features that are compared, or steps of GJK, mean of separated hulls",
+          "Up: pairs of vertices, edges and faces that are compared, and steps of GJK; mean of "
+          "separated hulls",
           {.at = 128, .drop_worst = true}, &result_of_pairs),
       row("distance", "gains", kGains, kAll, "", "",
-          "Up: by how much the next point is nearer, of the size of the pair: two drums, nearly face to face",
+          "Up: improvement by a step / size of the pair. Two drums, nearly face to face",
           {.failed = "such pairs never end"}, &result_of_gains),
       row("hull_precision", "time", kContactTimes, kAll, "vertices of each hull", "",
           "Up: microseconds, in float. Gregorius expects an order of magnitude from the last frame's "
@@ -384,7 +387,8 @@ const std::vector<PictureRow>& picture_rows() {
            .left_out = kNumbersOfStacks},
           &result_of_jitter),
       row("solver", "max_points", {kSolvers[0]}, kAll, "microseconds of a frame", "",
-          "A stack of six boxes, by the number of points that each of its contacts keeps",
+          "Catto expects a drastic gain. A stack of six boxes, by the number of points that each "
+          "contact keeps",
           {.drop_worst = true, .scale = 1000, .left_out = kNumbersOfStacks},
           &result_of_max_points),
       row("solver", "energy", kAll, kAll, "", "",

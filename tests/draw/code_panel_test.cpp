@@ -131,7 +131,8 @@ TEST(CodePanel, ShowsTheNumbersOfRandomRecordsAndMarksWhatDecided) {
     if (of_a || of_b) {
       const std::string name = of_a ? "A" : "B";
       const int face = (of_a ? scene.sat.face_a : scene.sat.face_b)->face;
-      EXPECT_THAT(faces, testing::ElementsAre("if (best − face" + name + " ≤ tolerance)",
+      const std::string branch = of_a ? "if" : "else if";
+      EXPECT_THAT(faces, testing::ElementsAre(branch + " (best − face" + name + " ≤ tolerance)",
                                               "    CreateFaceContact(" + name + ")"));
       EXPECT_TRUE(edges.empty());
       EXPECT_EQ(value_of(drawing, "    CreateFaceContact(" + name + ")"),

@@ -88,7 +88,8 @@ std::vector<CodeLine> code_of(const Staging& staging, const trace::Frame& frame,
   const auto is_within = [&](const AxisQuery& query) {
     return sat.tolerance && query.separation && best - *query.separation <= *sat.tolerance;
   };
-  if (sat.chosen == "face_b" && is_within(queries[0])) std::swap(queries[0], queries[1]);
+  if (sat.face_a && sat.chosen == "face_b" && is_within(queries[0]))
+    std::swap(queries[0], queries[1]);
   bool is_decided = false;
   for (const AxisQuery& query : queries) {
     const bool is_chosen = sat.chosen == query.axis, is_edge = query.axis == "edge_edge";
@@ -97,7 +98,8 @@ std::vector<CodeLine> code_of(const Staging& staging, const trace::Frame& frame,
     if (!is_edge) {
       const std::string limit = sat.tolerance ? length(*sat.tolerance) : "not recorded";
       const char* const answer = is_chosen ? ": yes" : is_within(query) ? ": not so deep" : ": no";
-      lines.push_back({"if (best − " + query.name + " ≤ tolerance)",
+      const std::string branch = &query == &queries.front() ? "if" : "else if";
+      lines.push_back({branch + " (best − " + query.name + " ≤ tolerance)",
                        is_decided ? "" : length(best - *query.separation) + " ≤ " + limit + answer,
                        color, is_decided});
     }
