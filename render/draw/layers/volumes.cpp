@@ -23,16 +23,12 @@ constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
 constexpr float kOriented = 2.5f;  // pixels, for a box that coincides with edges of another one
 
 void explain(AnswerKind kind, Sketch& sketch) {
-  switch (kind) {
-    case AnswerKind::No:
-      return sketch.explain(kBoundsSeparatedSwatch, "bounds say no");
-    case AnswerKind::Yes:
-      return sketch.explain(kOverlappingSwatch, "bounds say yes, as the shapes do");
-    case AnswerKind::FalsePositive:
-      return sketch.explain(kFalsePositiveSwatch, "bounds say yes, the shapes no");
-    case AnswerKind::Missed:
-      return sketch.explain(kMissedSwatch, "bounds say no, the shapes yes");
-  }
+  if (kind == AnswerKind::No) sketch.explain(kBoundsSeparatedSwatch, "bounds say no");
+  if (kind == AnswerKind::Yes)
+    sketch.explain(kOverlappingSwatch, "bounds say yes, as the shapes do");
+  if (kind == AnswerKind::FalsePositive)
+    sketch.explain(kFalsePositiveSwatch, "bounds say yes, the shapes no");
+  if (kind == AnswerKind::Missed) sketch.explain(kMissedSwatch, "bounds say no, the shapes yes");
 }
 
 void draw_volume(const Scene& scene, const trace::Volume& volume, const LineStyle& style,
