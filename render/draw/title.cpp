@@ -247,18 +247,13 @@ std::string over_sequence(const TitlePiece& piece, const std::vector<trace::Fram
     for (const trace::Pair* pair : pairs)
       deepest = std::max(deepest, -separation_of(*pair).value_or(0));
   }
-  switch (*piece.fact) {
-    case TitleFact::Hits:
-      return *spelled_count(hits, piece);
-    case TitleFact::HitRate:
-      return spell_share(static_cast<double>(hits) / static_cast<double>(frames.size()));
-    case TitleFact::FalsePositives:
-      return *spelled_count(wrong, piece);
-    case TitleFact::DeepestOverlap:
-      return deepest > 0 ? spell_length(deepest, 0, unit) : "";
-    default:
-      return *spelled_count(count_of(frames), piece);
-  }
+  if (piece.fact == TitleFact::Hits) return *spelled_count(hits, piece);
+  if (piece.fact == TitleFact::HitRate)
+    return spell_share(static_cast<double>(hits) / static_cast<double>(frames.size()));
+  if (piece.fact == TitleFact::FalsePositives) return *spelled_count(wrong, piece);
+  if (piece.fact == TitleFact::DeepestOverlap)
+    return deepest > 0 ? spell_length(deepest, 0, unit) : "";
+  return *spelled_count(count_of(frames), piece);
 }
 
 }  // namespace

@@ -91,20 +91,15 @@ std::string stage_heading(Layer layer, const trace::Frame& frame) {
     points += all_points(pair).size();
   }
   const std::size_t shapes = frame.poses.size();
-  switch (layer) {
-    case Layer::Bounds:
-      return "bounds: a box around each shape";
-    case Layer::CandidatePairs:
-      return "broad phase: candidates, the boxes of " + std::to_string(frame.pairs.size()) +
-             " of " + std::to_string(shapes * (shapes - 1) / 2) + " pairs overlap";
-    case Layer::Contacts:
-      return "narrow phase: contacts, " + counted(touching, "pair touches", "pairs touch") +
-             " at " + counted(points, "point", "points");
-    case Layer::Impulses:
-      return "solver: an impulse at each point";
-    default:
-      return in_words(std::string(name_of(layer)));
-  }
+  if (layer == Layer::Bounds) return "bounds: a box around each shape";
+  if (layer == Layer::CandidatePairs)
+    return "broad phase: candidates, the boxes of " + std::to_string(frame.pairs.size()) + " of " +
+           std::to_string(shapes * (shapes - 1) / 2) + " pairs overlap";
+  if (layer == Layer::Contacts)
+    return "narrow phase: contacts, " + counted(touching, "pair touches", "pairs touch") + " at " +
+           counted(points, "point", "points");
+  if (layer == Layer::Impulses) return "solver: an impulse at each point";
+  return in_words(name_of(layer));
 }
 
 }  // namespace

@@ -111,11 +111,10 @@ std::pair<std::string, std::string> gap_row(double separation) {
 std::string spell_vector(const Vec3d& vector) {
   // Beyond six digits, small components of a direction are noise.
   const double least = 1e-6 * vector.cwiseAbs().maxCoeff();
-  std::string text;
-  for (int i = 0; i < 3; ++i)
-    text +=
-        (i > 0 ? ", " : "(") + draw::spell_number(std::abs(vector[i]) < least ? 0.0 : vector[i]);
-  return text + ")";
+  const auto spell = [&](double one) {
+    return draw::spell_number(std::abs(one) < least ? 0.0 : one);
+  };
+  return "(" + separated(vector, ", ", spell) + ")";
 }
 
 std::string feature_words(const std::string& id, const trace::Pair& pair) {

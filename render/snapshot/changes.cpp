@@ -11,22 +11,12 @@ namespace contactscope::snapshot {
 using trace::Kind;
 
 double Tolerance::of(Kind kind, double value) const {
-  switch (kind) {
-    case Kind::Exact:
-      return 0;
-    case Kind::Length:
-    case Kind::Position:
-      return length;
-    case Kind::Area:
-      return area;
-    case Kind::Direction:
-    case Kind::Rotation:
-      return relative;
-    case Kind::Ratio:
-      return relative * std::abs(value);
-    default:
-      return relative * magnitudes[static_cast<std::size_t>(kind)];
-  }
+  if (kind == Kind::Exact) return 0;
+  if (kind == Kind::Length || kind == Kind::Position) return length;
+  if (kind == Kind::Area) return area;
+  if (kind == Kind::Direction || kind == Kind::Rotation) return relative;
+  if (kind == Kind::Ratio) return relative * std::abs(value);
+  return relative * magnitudes[static_cast<std::size_t>(kind)];
 }
 
 bool same(double expected, double actual, double tolerance) {

@@ -175,8 +175,7 @@ TraceDifferences compare_with_stored(const std::string& text, const std::string&
 }
 
 bool Match::reordered() const {
-  return !std::is_sorted(both.begin(), both.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
+  return !std::ranges::is_sorted(both, {}, [](const auto& places) { return places.second; });
 }
 
 Match match_keys(const std::vector<std::string>& expected, const std::vector<std::string>& actual) {
@@ -201,15 +200,12 @@ Match match_keys(const std::vector<std::string>& expected, const std::vector<std
 
 void match_rest_by_index(Match& match) {
   std::vector<std::size_t> common;
-  std::set_intersection(match.gone.begin(), match.gone.end(), match.added.begin(),
-                        match.added.end(), std::back_inserter(common));
-  const auto is_common = [&](std::size_t i) {
-    return std::binary_search(common.begin(), common.end(), i);
-  };
+  std::ranges::set_intersection(match.gone, match.added, std::back_inserter(common));
+  const auto is_common = [&](std::size_t i) { return std::ranges::binary_search(common, i); };
   std::erase_if(match.gone, is_common);
   std::erase_if(match.added, is_common);
   for (const std::size_t i : common) match.both.emplace_back(i, i);
-  std::sort(match.both.begin(), match.both.end());
+  std::ranges::sort(match.both);
 }
 
 }  // namespace contactscope::snapshot

@@ -143,17 +143,12 @@ std::vector<fs::path> stale_files(const fs::path& root, const std::string& scena
   if (views.empty()) store({});
 
   std::vector<fs::path> stale;
-  const fs::path folder = scenario_folder(root, scenario);
-  if (!fs::is_directory(folder)) return stale;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const fs::path& file = entry.path();
-    if (!entry.is_regular_file()) continue;
+  for (const fs::path& file : stored_files(root, scenario)) {
     const bool is_note = file.extension() == kNoteExtension && !word_of(file).empty();
     if (file.extension() != kPictureExtension && !is_note) continue;
     if (is_note && without_word(file).stem() == fs::path(kTraceName).stem()) continue;
     if (!stored.contains(word_of(file).empty() ? file : without_word(file))) stale.push_back(file);
   }
-  std::sort(stale.begin(), stale.end());
   return stale;
 }
 

@@ -43,10 +43,9 @@ class BodiesWatch final : public Watch {
 
   void report(std::vector<Finding>& findings) override {
     jumps_.report(
-        "a body is elsewhere for a frame",
+        findings, "a body is elsewhere for a frame",
         "the frames before and after have it in the same place: check which step's pose is "
-        "written, and interpolated poses",
-        1, 0, findings);
+        "written, and interpolated poses");
     auto flights = mapped(flights_.pairs, [](const auto& pair) { return pair.second.first; });
     std::ranges::stable_sort(flights, {}, [&](const Finding& one) {
       return std::pair(one.frame, one.a != flights_.first.a);
@@ -55,10 +54,9 @@ class BodiesWatch final : public Watch {
     if (names.size() > kNamed)
       names[kNamed] = counted(names.size() - kNamed, "other"), names.resize(kNamed + 1);
     flights_.report(
-        (names.size() == 1 ? "a body flies off: " : "bodies fly off: ") + listed(names),
+        findings, (names.size() == 1 ? "a body flies off: " : "bodies fly off: ") + listed(names),
         "look at the contacts of the frames just before: deep overlaps that are pushed "
-        "out within a step, wrong masses or inertias, or bodies that start in one another",
-        1, 0, findings);
+        "out within a step, wrong masses or inertias, or bodies that start in one another");
   }
 
  private:

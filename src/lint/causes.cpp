@@ -48,16 +48,14 @@ class RecordsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    twice_.report("pairs are reported twice in a frame",
-                  "leave one out: many engines report a pair in both orders, or once for each body",
-                  1, 0, findings);
-    empty_.report("pairs are 'touching' and have no points",
-                  "write their manifolds, or leave 'state' out: it follows from them", 1, 0,
-                  findings);
+    twice_.report(
+        findings, "pairs are reported twice in a frame",
+        "leave one out: many engines report a pair in both orders, or once for each body");
+    empty_.report(findings, "pairs are 'touching' and have no points",
+                  "write their manifolds, or leave 'state' out: it follows from them");
     time_.report(
-        "'time' does not increase from frame to frame",
-        "write the time of each frame, in seconds: velocities and impulses are compared with it", 1,
-        0, findings);
+        findings, "'time' does not increase from frame to frame",
+        "write the time of each frame, in seconds: velocities and impulses are compared with it");
   }
 
  private:

@@ -83,27 +83,27 @@ class ContactsWatch final : public Watch {
   void report(std::vector<Finding>& findings) override {
     // Rounding decides whether shapes touch: in long traces a few of these are no fault.
     constexpr double kShare = 1e-4;
-    pairs_.report("contacts of a pair vanish and return, and the shapes stay where they are",
+    pairs_.report(findings,
+                  "contacts of a pair vanish and return, and the shapes stay where they are",
                   "in these frames the pair has no contact: check the broad phase, caches that "
                   "expire, and what is left out when a frame is written",
-                  1, kShare, findings);
-    points_.report("contact points vanish and return, and the shapes stay where they are",
+                  1, kShare);
+    points_.report(findings, "contact points vanish and return, and the shapes stay where they are",
                    "in these frames the manifold has fewer points: check clipping, the reduction, "
                    "and how points are matched with those of the frame before",
-                   1, kShare, findings);
+                   1, kShare);
     depths_.report(
-        "separations jump, and the shapes stay where they are",
+        findings, "separations jump, and the shapes stay where they are",
         "a separation follows the poses: check points that are kept from earlier frames, "
         "and the feature that is measured against",
-        1, kShare, findings);
-    normals_.report("normals turn, and the shapes do not",
+        1, kShare);
+    normals_.report(findings, "normals turn, and the shapes do not",
                     "along these normals the shapes overlap more than in the frame before: check "
                     "the test that chooses the axis, and its preference for that of the last frame",
-                    1, kShare, findings);
-    doubled_.report("manifolds have a point twice",
+                    1, kShare);
+    doubled_.report(findings, "manifolds have a point twice",
                     "leave one out: the solver applies both impulses; maybe a point that is kept "
-                    "and the new one are both written",
-                    1, 0, findings);
+                    "and the new one are both written");
   }
 
  private:

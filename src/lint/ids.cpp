@@ -52,14 +52,13 @@ class IdsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    alike_.report("points of a manifold have the same id",
+    alike_.report(findings, "points of a manifold have the same id",
                   "name each point by the features that make it, or leave 'id' out: solvers warm "
-                  "start from the point with the same id",
-                  1, 0, findings);
-    changed_.report("ids change while nothing moves",
+                  "start from the point with the same id");
+    changed_.report(findings, "ids change while nothing moves",
                     "name each point by the features that make it, not by its index or address: "
                     "solvers warm start from the point with the same id",
-                    1, 0.002, findings);
+                    1, 0.002);
   }
 
  private:

@@ -85,11 +85,10 @@ class InternalEdgesWatch final : public Watch {
 
   void report(std::vector<Finding>& findings) override {
     tally_.report(
-        "contacts push against edges within the surface of a mesh",
+        findings, "contacts push against edges within the surface of a mesh",
         "no shape can be touched there in that direction, because the surface continues: "
         "turn on the engine's handling of internal edges (active edges, welding), or give "
-        "the contact the normal of its face",
-        1, 0, findings);
+        "the contact the normal of its face");
   }
 
  private:

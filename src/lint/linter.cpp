@@ -76,10 +76,7 @@ double grossness(const Finding& finding) {
 void add_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
   constexpr double kLarge = 0.25;
   if (!(shape.margin > 0) || shape.vertices.empty()) return;
-  Vec3d lower = shape.vertices.front(), upper = lower;
-  for (const Vec3d& vertex : shape.vertices)
-    lower = lower.cwiseMin(vertex), upper = upper.cwiseMax(vertex);
-  const double share = shape.margin / ((upper - lower).minCoeff() / 2);
+  const double share = shape.margin / (box_around(shape.vertices).extent().minCoeff() / 2);
   if (!(share > kLarge)) return;
   hints.push_back({"large_margin",
                    "the margin is " + shown(std::round(100 * share)) +

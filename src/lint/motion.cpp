@@ -295,10 +295,9 @@ class MotionWatch final : public Watch {
   void report_impulses(std::vector<Finding>& findings) const {
     const std::optional<double> share = weights_.common();
     (share && is_near(*share, 1) ? rests_now_ : jumps_)
-        .report("impulses on bodies at rest come and go",
+        .report(findings, "impulses on bodies at rest come and go",
                 "check warm starting, and that the impulses of all points and of the last "
-                "iteration are written",
-                1, 0, findings);
+                "iteration are written");
     if (!share) return;
     const auto say = [&](const char* cause, const char* what, const char* remedy) {
       findings.push_back(weights_.finding(cause, what, remedy,

@@ -7,10 +7,6 @@ namespace {
 
 using Names = std::pair<std::string, std::string>;
 
-Names in_order(const std::string& a, const std::string& b) {
-  return a < b ? Names{a, b} : Names{b, a};
-}
-
 /// Bounding box of a placed solid and what is near, world.
 Aabb<double> box_of(const Placed& placed) {
   const Vec3d middle = (placed.solid->lower() + placed.solid->upper()) / 2;
@@ -59,7 +55,7 @@ class OverlapsWatch final : public Watch {
         if (std::abs(up) > kUpward) held_.insert(up > 0 ? b : a);
       }
     for (const trace::Pair& pair : frames.now->pairs) {
-      const Names names = in_order(pair.a, pair.b);
+      const Names names = std::minmax(pair.a, pair.b);
       record.insert(names);
       if (!pair.manifolds.empty()) with_contacts_.insert(names), ++touching_;
       if (pair.manifolds.empty() && !pair.query && pair.state == "separated" && !pair.degenerate &&
@@ -80,7 +76,7 @@ class OverlapsWatch final : public Watch {
       for (std::size_t j = i + 1; j < boxes.size(); ++j) {
         if (boxes[j].first.lower.x() > boxes[i].first.upper.x()) break;
         if (!overlaps(boxes[i].first, boxes[j].first)) continue;
-        const Names names = in_order(*boxes[i].second, *boxes[j].second);
+        const Names names = std::minmax(*boxes[i].second, *boxes[j].second);
         if (!record.contains(names)) look(solids, frames, names, untold_);
       }
   }

@@ -19,33 +19,27 @@ bool go_together(const Mistake& one, const Mistake& other) {
   Reading first, second;
   one.apply(first);
   other.apply(second);
-  const auto separated = [&](auto member) {
-    const Reading plain;
-    return first.*member == plain.*member || second.*member == plain.*member;
+  const Reading plain;
+  const auto separated = [&](auto... members) {
+    return ((first.*members == plain.*members || second.*members == plain.*members) && ...);
   };
-  return separated(&Reading::normals) && separated(&Reading::normals_flipped) &&
-         separated(&Reading::separations_negated) && separated(&Reading::separation_scale) &&
-         separated(&Reading::points) && separated(&Reading::point_scale) &&
-         separated(&Reading::moment) && separated(&Reading::rotation) &&
-         separated(&Reading::shape_scale);
+  return separated(&Reading::normals, &Reading::normals_flipped, &Reading::separations_negated,
+                   &Reading::separation_scale, &Reading::points, &Reading::point_scale,
+                   &Reading::moment, &Reading::rotation, &Reading::shape_scale);
 }
 
 std::vector<Explanation> all_explanations() {
   std::vector<Explanation> all;
+  const auto add = [&](const std::vector<const Mistake*>& made) {
+    Explanation& explanation = all.emplace_back();
+    explanation.made = made;
+    for (const Mistake* mistake : made) mistake->apply(explanation.reading);
+  };
   const std::vector<Mistake>& known = mistakes();
-  for (const Mistake& mistake : known) {
-    Explanation& one = all.emplace_back();
-    one.made = {&mistake};
-    mistake.apply(one.reading);
-  }
+  for (const Mistake& mistake : known) add({&mistake});
   for (std::size_t i = 0; i < known.size(); ++i)
-    for (std::size_t j = i + 1; j < known.size(); ++j) {
-      if (!go_together(known[i], known[j])) continue;
-      Explanation& two = all.emplace_back();
-      two.made = {&known[i], &known[j]};
-      known[i].apply(two.reading);
-      known[j].apply(two.reading);
-    }
+    for (std::size_t j = i + 1; j < known.size(); ++j)
+      if (go_together(known[i], known[j])) add({&known[i], &known[j]});
   return all;
 }
 

@@ -36,13 +36,9 @@ Solid::Solid(const trace::Shape& shape)
     shape_ = HalfSpace<double>{plane_};
     return;
   }
-  lower_ = Vec3d::Constant(kInfinity), upper_ = -lower_;
-  for (const Vec3d& vertex : vertices_) {
-    lower_ = lower_.cwiseMin(vertex);
-    upper_ = upper_.cwiseMax(vertex);
-  }
-  lower_.array() -= radius_;
-  upper_.array() += radius_;
+  const Aabb<double> box = box_around(vertices_);
+  lower_ = box.lower.array() - radius_;
+  upper_ = box.upper.array() + radius_;
   size_ = (upper_ - lower_).norm() / 2;
   const bool is_field = shape.type == "sdf";
   if (is_field) vagueness_ = kFieldVagueness * size_;
@@ -163,16 +159,9 @@ std::optional<double> Solid::exit_of_surface(const Vec3d& point, const Vec3d& di
 }
 
 std::optional<double> Solid::exit(const Vec3d& point, const Vec3d& direction) const {
-  switch (kind_) {
-    case Kind::Round:
-      return exit_of_round(point, direction);
-    case Kind::Hull:
-      return exit_of_hull(point, direction);
-    case Kind::Surface:
-      return exit_of_surface(point, direction);
-    case Kind::Plane:
-      break;
-  }
+  if (kind_ == Kind::Round) return exit_of_round(point, direction);
+  if (kind_ == Kind::Hull) return exit_of_hull(point, direction);
+  if (kind_ == Kind::Surface) return exit_of_surface(point, direction);
   const double slope = plane_.normal.dot(direction);
   if (slope < kSide) return std::nullopt;
   return (plane_.offset - plane_.normal.dot(point)) / slope;

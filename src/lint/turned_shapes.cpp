@@ -29,8 +29,8 @@ class RotationsWatch final : public Watch {
       return;
     for (const Finding& finding : findings)
       if (finding.cause == half_turns_.cause) return;
-    half_turns_.report("quaternions are in the order x, y, z, w",
-                       "write w first: the key is 'quat_wxyz'", kFewest, 0.5, findings);
+    half_turns_.report(findings, "quaternions are in the order x, y, z, w",
+                       "write w first: the key is 'quat_wxyz'", kFewest, 0.5);
   }
 
  private:
@@ -53,10 +53,10 @@ class WindingsWatch final : public Watch {
     constexpr int kFewest = 5;
     for (auto& [name, met] : met_) {
       met.cause = "mesh_inside_out";
-      met.report("all contacts of a mesh are on the back of its triangles",
+      met.report(findings, "all contacts of a mesh are on the back of its triangles",
                  "list the vertices of each triangle counter-clockwise as seen from outside; "
                  "left-handed engines and some files have them clockwise",
-                 kFewest, 0.95, findings);
+                 kFewest, 0.95);
     }
   }
 

@@ -71,7 +71,7 @@ template <std::size_t Count> class Readings {
     for (std::size_t i = 0; i < Count; ++i)
       if (explained_[i] > 0.7 * wrong_.count && explained_[i] > 0.5 * wrong_.of) {
         wrong_.cause = others_[i].cause;
-        return wrong_.report(others_[i].what, others_[i].remedy, kFewest, 0.5, findings);
+        return wrong_.report(findings, others_[i].what, others_[i].remedy, kFewest, 0.5);
       }
   }
 
@@ -176,18 +176,18 @@ class FrictionWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    along_.report("friction has a part along the normal",
+    along_.report(findings, "friction has a part along the normal",
                   "subtract it: friction - (friction . normal) normal; maybe friction holds the "
                   "whole impulse",
-                  kFewest, 0.2, findings);
-    beyond_.report("friction is many times the normal impulse",
+                  kFewest, 0.2);
+    beyond_.report(findings, "friction is many times the normal impulse",
                    "both are impulses over the step, in newton seconds: check their units", kFewest,
-                   0.2, findings);
+                   0.2);
     forward_.report(
-        "friction accelerates the sliding",
+        findings, "friction accelerates the sliding",
         "negate it: friction acts on b, as the normal impulse does, against the velocity "
         "of b relative to a",
-        kFewestSliding, 0.8, findings);
+        kFewestSliding, 0.8);
   }
 
  private:

@@ -122,8 +122,8 @@ struct Tally {
 
   /// Reports the problem, as below the threshold unless it occurs at least `least` times and in
   /// that share of the cases, or one is gross.
-  void report(const std::string& what, const char* remedy, int least, double share,
-              std::vector<Finding>& findings) const {
+  void report(std::vector<Finding>& findings, const std::string& what, const char* remedy,
+              int least = 1, double share = 0) const {
     if (count == 0) return;
     // One pair may have nearly all of them, and another one the first.
     const auto most =

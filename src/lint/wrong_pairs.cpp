@@ -39,18 +39,17 @@ std::string point_name(const Problem& problem) {
 void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
   const Problem& problem = wrong.problem;
   const trace::Manifold& manifold = at(pair.manifolds, problem.manifold);
-  wrong.at = at(manifold.points, problem.point).position;
+  const trace::Point& point = at(manifold.points, problem.point);
+  wrong.at = point.position;
   switch (problem.kind) {
     case Wrong::Separation:
-      wrong.said = point_name(problem) + ": separation " +
-                   metres(at(manifold.points, problem.point).separation) + ", normal " +
+      wrong.said = point_name(problem) + ": separation " + metres(point.separation) + ", normal " +
                    spelled(manifold.normal);
       wrong.is = "the separation there along the normal is " + metres(problem.is);
       break;
     case Wrong::Surface:
-      wrong.said = point_name(problem) + ": position " +
-                   spelled(at(manifold.points, problem.point).position) + ", separation " +
-                   metres(at(manifold.points, problem.point).separation);
+      wrong.said = point_name(problem) + ": position " + spelled(point.position) + ", separation " +
+                   metres(point.separation);
       wrong.is = "it is " + metres(problem.is) + " off the surface of '" + problem.shape + "'";
       break;
     case Wrong::Side:

@@ -14,16 +14,6 @@
 #include "scenario/run_facts.h"
 
 namespace contactscope {
-namespace {
-
-/// From the mesh's collision frame to the file's.
-void move_boxes(trace::Tree& tree, const Vec3d& by) {
-  for (Vec3d* corner : {&tree.box.lower, &tree.box.upper}) *corner += by;
-  for (trace::TreeVisit& visit : tree.visits)
-    for (Vec3d* corner : {&visit.box.lower, &visit.box.upper}) *corner += by;
-}
-
-}  // namespace
 
 template <class S> class Runner::In final : public Runner::InScalar {
  public:
@@ -196,8 +186,12 @@ template <class S> class Runner::In final : public Runner::InScalar {
   void move_boxes(const ScenarioPair& pair, trace::Pair& record) const {
     for (const int index : {pair.a, pair.b}) {
       const ScenarioShape& shape = scenario_.shape(index);
-      if (record.tree && record.tree->shape == shape.name && shape.is_moved())
-        contactscope::move_boxes(*record.tree, shape.collider_origin);
+      if (!record.tree || record.tree->shape != shape.name || !shape.is_moved()) continue;
+      const auto move = [&](trace::Box& box) {
+        for (Vec3d* corner : {&box.lower, &box.upper}) *corner += shape.collider_origin;
+      };
+      move(record.tree->box);
+      for (trace::TreeVisit& visit : record.tree->visits) move(visit.box);
     }
   }
 
@@ -239,16 +233,10 @@ template <class S> class Runner::In final : public Runner::InScalar {
   }
 
   ActivePair<S> active(const ScenarioPair& pair, bool first) const {
-    return {
-        .pair = pair,
-        .acts = first && (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic()),
-        .touches = false,
-        .kept = {},
-        .cache = {},
-        .persistent = {},
-        .impulses = {},
-        .query = {},
-        .query_cost = {}};
+    ActivePair<S> made;
+    made.pair = pair;
+    made.acts = first && (scenario_.shape(pair.a).dynamic() || scenario_.shape(pair.b).dynamic());
+    return made;
   }
 
   /// Selects the pairs of this frame. Pairs of the previous frame keep their state.

@@ -1,6 +1,5 @@
 #include "scenario/readers.h"
 
-#include <charconv>
 #include <sstream>
 
 #include "core/at.h"
@@ -84,10 +83,7 @@ constexpr struct {
 
 /// The value as in the file, if it is short.
 std::string written(const toml::node& value) {
-  if (const auto* number = value.as_floating_point()) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, number->get()).ptr};
-  }
+  if (const auto* number = value.as_floating_point()) return shortest(number->get());
   std::ostringstream text;
   text << toml::node_view<const toml::node>(value);
   const std::string whole = text.str();

@@ -43,37 +43,22 @@ void add_shape(const SmallShape& shape, std::string& text) {
     text += key + " = " + value + "\n";
   };
   text += "\n[shapes." + shape.name + "]\n";
-  switch (shape.kind) {
-    case SmallShape::Kind::Box:
-      add("type", "\"box\"");
-      add("half_extents", spell(shape.half_extents));
-      break;
-    case SmallShape::Kind::Hull:
-      add("type", "\"hull\"");
-      add("vertices", spell_points(shape.vertices));
-      break;
-    case SmallShape::Kind::Sphere:
-      add("type", "\"sphere\"");
-      add("radius", spell(shape.radius));
-      break;
-    case SmallShape::Kind::Capsule:
-      add("type", "\"capsule\"");
-      add("points", spell_points(shape.vertices));
-      add("radius", spell(shape.radius));
-      break;
-    case SmallShape::Kind::Plane:
-      add("type", "\"plane\"");
-      add("normal", spell(shape.normal));
-      add("offset", spell(shape.offset));
-      break;
-    case SmallShape::Kind::Mesh:
-      add("type", "\"mesh\"");
-      add("vertices", spell_points(shape.vertices));
-      add("triangles", spell_list(shape.triangles, [](const std::array<int, 3>& corners) {
-            return spell_list(corners, [](int corner) { return std::to_string(corner); });
-          }));
-      break;
+  using Kind = SmallShape::Kind;
+  constexpr const char* kTypes[] = {"box", "hull", "sphere", "capsule", "plane", "mesh"};
+  const Kind kind = shape.kind;
+  add("type", quoted(kTypes[static_cast<std::size_t>(kind)]));
+  if (kind == Kind::Box) add("half_extents", spell(shape.half_extents));
+  if (kind == Kind::Hull || kind == Kind::Mesh) add("vertices", spell_points(shape.vertices));
+  if (kind == Kind::Capsule) add("points", spell_points(shape.vertices));
+  if (kind == Kind::Sphere || kind == Kind::Capsule) add("radius", spell(shape.radius));
+  if (kind == Kind::Plane) {
+    add("normal", spell(shape.normal));
+    add("offset", spell(shape.offset));
   }
+  if (kind == Kind::Mesh)
+    add("triangles", spell_list(shape.triangles, [](const std::array<int, 3>& corners) {
+          return spell_list(corners, [](int corner) { return std::to_string(corner); });
+        }));
   if (!shape.position.isZero(0)) add("position", spell(shape.position));
   const auto& n = shape.turn.numbers;
   if (shape.turn.form == Turn::Form::Quaternion)

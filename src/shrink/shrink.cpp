@@ -33,7 +33,7 @@ class Shrinker {
         try_as_hull(side);
       }
       drop_claims();
-      drop_settings();
+      leave_out([](PairOfTwo & pair) -> auto& { return pair.settings; });
       simplify_places();
       round_numbers();
       if (measure(best_) == before) return best_;
@@ -58,12 +58,16 @@ class Shrinker {
     return true;
   }
 
-  /// ddmin over `count` parts; without(pair, first, last) removes a range of them.
-  template <class Count, class Without> void leave_out(const Count& count, const Without& without) {
-    for (int size = std::max(1, count() / 2);; size /= 2) {
-      for (int first = 0; first < count();) {
+  /// ddmin over the entries of a list of the pair. `then` follows each removal of some of them.
+  template <class List, class Then = void (*)(PairOfTwo&)>
+  void leave_out(
+      const List& list_of, const Then& then = [](PairOfTwo&) {}) {
+    for (int size = std::max(1, count_of(list_of(best_)) / 2);; size /= 2) {
+      for (int first = 0; first < count_of(list_of(best_));) {
         PairOfTwo tried = best_;
-        without(tried, first, std::min(first + size, count()));
+        auto& list = list_of(tried);
+        list.erase(list.begin() + first, list.begin() + std::min(first + size, count_of(list)));
+        then(tried);
         if (!attempt(tried)) first += size;
       }
       if (size <= 1) return;
@@ -86,21 +90,12 @@ class Shrinker {
   }
 
   void drop_parts(SmallShape PairOfTwo::*side) {
-    if ((best_.*side).kind == SmallShape::Kind::Mesh) {
-      leave_out([&] { return count_of((best_.*side).triangles); },
-                [&](PairOfTwo& pair, int first, int last) {
-                  auto& triangles = (pair.*side).triangles;
-                  triangles.erase(triangles.begin() + first, triangles.begin() + last);
-                  drop_unused(pair.*side);
-                });
-    }
-    if ((best_.*side).kind == SmallShape::Kind::Hull) {
-      leave_out([&] { return count_of((best_.*side).vertices); },
-                [&](PairOfTwo& pair, int first, int last) {
-                  auto& vertices = (pair.*side).vertices;
-                  vertices.erase(vertices.begin() + first, vertices.begin() + last);
-                });
-    }
+    if ((best_.*side).kind == SmallShape::Kind::Mesh)
+      leave_out(
+          [&](PairOfTwo & pair) -> auto& { return (pair.*side).triangles; },
+          [&](PairOfTwo& pair) { drop_unused(pair.*side); });
+    if ((best_.*side).kind == SmallShape::Kind::Hull)
+      leave_out([&](PairOfTwo & pair) -> auto& { return (pair.*side).vertices; });
   }
 
   /// Replaces a capsule by a ball at one of its ends.
@@ -134,23 +129,9 @@ class Shrinker {
 
   void drop_claims() {
     if (!best_.claims) return;
-    leave_out([&] { return count_of(*best_.claims); },
-              [](PairOfTwo& pair, int first, int last) {
-                pair.claims->erase(pair.claims->begin() + first, pair.claims->begin() + last);
-              });
+    leave_out([](PairOfTwo & pair) -> auto& { return *pair.claims; });
     for (std::size_t m = 0; m < best_.claims->size(); ++m)
-      leave_out([&] { return count_of((*best_.claims)[m].points); },
-                [&](PairOfTwo& pair, int first, int last) {
-                  auto& points = (*pair.claims)[m].points;
-                  points.erase(points.begin() + first, points.begin() + last);
-                });
-  }
-
-  void drop_settings() {
-    leave_out([&] { return count_of(best_.settings); },
-              [](PairOfTwo& pair, int first, int last) {
-                pair.settings.erase(pair.settings.begin() + first, pair.settings.begin() + last);
-              });
+      leave_out([&](PairOfTwo & pair) -> auto& { return (*pair.claims)[m].points; });
   }
 
   static Turn turn_of(const Quatd& rotation) {

@@ -202,18 +202,10 @@ Place place_on(const Outline& outline, const Vec2d& point, double near) {
 constexpr std::size_t kMaxSearched = 20000;
 
 FeatureRef feature(const Outline& outline, const Place& place, Owner owner) {
-  const auto number = [&] {
-    switch (place.kind) {
-      case FeatureKind::Vertex:
-        return outline.vertices[place.corner];
-      case FeatureKind::Edge:
-        return outline.edges[place.corner];
-      case FeatureKind::Face:
-        break;
-    }
-    return outline.face;
-  };
-  return {owner, place.kind, static_cast<std::uint32_t>(std::max(0, number()))};
+  const int number = place.kind == FeatureKind::Vertex ? outline.vertices[place.corner]
+                     : place.kind == FeatureKind::Edge ? outline.edges[place.corner]
+                                                       : outline.face;
+  return {owner, place.kind, static_cast<std::uint32_t>(std::max(0, number))};
 }
 
 /// The two edges of an outline that share a corner.

@@ -1,7 +1,5 @@
 #include "trace/study.h"
 
-#include <charconv>
-
 namespace contactscope::trace {
 namespace {
 
@@ -12,16 +10,8 @@ double finite(double value, const char* key) {
   return value;
 }
 
-// Shortest decimal that round-trips to the same double, in any locale.
-std::string spelled(double value, const char* key) {
-  std::array<char, 32> buffer{};
-  const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), finite(value, key));
-  return std::string(buffer.data(), end);
-}
-
 std::string spelled(const std::optional<double>& value, const char* key) {
-  return value ? spelled(*value, key) : std::string();
+  return value ? shortest(finite(*value, key)) : std::string();
 }
 
 std::string quoted(const std::string& text) {

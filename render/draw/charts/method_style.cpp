@@ -20,20 +20,13 @@ Color legible(Color color) {
 
 /// Corners of a polygonal marker of radius 1.
 std::vector<Point2> corners_of(Marker marker) {
-  switch (marker) {
-    case Marker::Square:
-    case Marker::HollowSquare:
-      return {{-0.88f, -0.88f}, {0.88f, -0.88f}, {0.88f, 0.88f}, {-0.88f, 0.88f}};
-    case Marker::Diamond:
-    case Marker::HollowDiamond:
-      return {{0, -1.25f}, {1.25f, 0}, {0, 1.25f}, {-1.25f, 0}};
-    case Marker::TriangleUp:
-      return {{0, -1.25f}, {1.15f, 0.8f}, {-1.15f, 0.8f}};
-    case Marker::TriangleDown:
-      return {{0, 1.25f}, {-1.15f, -0.8f}, {1.15f, -0.8f}};
-    default:
-      return {};
-  }
+  if (marker == Marker::Square || marker == Marker::HollowSquare)
+    return {{-0.88f, -0.88f}, {0.88f, -0.88f}, {0.88f, 0.88f}, {-0.88f, 0.88f}};
+  if (marker == Marker::Diamond || marker == Marker::HollowDiamond)
+    return {{0, -1.25f}, {1.25f, 0}, {0, 1.25f}, {-1.25f, 0}};
+  if (marker == Marker::TriangleUp) return {{0, -1.25f}, {1.15f, 0.8f}, {-1.15f, 0.8f}};
+  if (marker == Marker::TriangleDown) return {{0, 1.25f}, {-1.15f, -0.8f}, {1.15f, -0.8f}};
+  return {};
 }
 
 }  // namespace

@@ -31,13 +31,10 @@ std::vector<Point2> axes_box(const ContactPlane& plane, const ContactCell& cell)
 
 /// Labels two sides of that box with world axes, if they are parallel to these.
 void draw_axes(const ContactPlane& plane, const std::vector<Point2>& box) {
-  double left = flat(box[0]).x(), bottom = flat(box[0]).y(), right = left, top = bottom;
-  for (const Point2& corner : box) {
-    left = std::min(left, flat(corner).x()), right = std::max(right, flat(corner).x());
-    top = std::min(top, flat(corner).y()), bottom = std::max(bottom, flat(corner).y());
-  }
-  const double away = plane.px(30), long_side = 0.45 * std::min(right - left, bottom - top);
-  const Vec2d corner(left - away, bottom + away);
+  Eigen::AlignedBox2d around;
+  for (const Point2& corner : box) around.extend(flat(corner));
+  const double away = plane.px(30), long_side = 0.45 * around.sizes().minCoeff();
+  const Vec2d corner(around.min().x() - away, around.max().y() + away);  // y points down
   for (const auto& [name, axis] :
        {std::pair{"x", Vec3d::UnitX()}, {"y", Vec3d::UnitY()}, {"z", Vec3d::UnitZ()}}) {
     const Vec2d on_page(plane.axes.u.dot(axis), -plane.axes.v.dot(axis));

@@ -125,18 +125,15 @@ void draw_clip_polygons(const Scene& scene, const trace::Pair& pair, Sketch& ske
   const std::size_t shown = clip_steps_to_show(scene, pair);
   const bool story = has_clip_story(scene, pair);
   if (story) draw_clip_story(scene, pair, sketch);
-  for (std::size_t k = 0; k < shown; ++k) {
-    const trace::Polygon& polygon = pair.clip->steps[k].polygon;
-    const bool last = k + 1 == shown;
-    if (polygon.empty() || !last) continue;
-    sketch.outline(polygon, {story ? 3.5f : 2.5f, kClipPolygon});
-    sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
-    // While planes cut, other lines cover its sides, and the legend is full.
-    if (story && !all_planes_have_cut(scene, pair))
-      sketch.label(mean_of(polygon), "clip polygon", kClipPolygon, 17, 0);
-    else
-      sketch.explain(kClipPolygonSwatch, "clip polygon", middle_of_side(polygon));
-  }
+  if (shown == 0 || pair.clip->steps[shown - 1].polygon.empty()) return;
+  const trace::Polygon& polygon = pair.clip->steps[shown - 1].polygon;
+  sketch.outline(polygon, {story ? 3.5f : 2.5f, kClipPolygon});
+  sketch.surfaces.push_back({polygon, with_alpha(kClipPolygon, story ? 0.3f : 0.22f)});
+  // While planes cut, other lines cover its sides, and the legend is full.
+  if (story && !all_planes_have_cut(scene, pair))
+    sketch.label(mean_of(polygon), "clip polygon", kClipPolygon, 17, 0);
+  else
+    sketch.explain(kClipPolygonSwatch, "clip polygon", middle_of_side(polygon));
 }
 
 /// Points that clipping dropped, once all steps are shown.

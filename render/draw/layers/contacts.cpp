@@ -57,26 +57,17 @@ std::optional<Vec3d> farthest(const PlacedShape& shape, const Vec3d& direction,
   return seen_middle(front, camera) + shape.traced().radius * direction;
 }
 
-/// Two separated shapes and the camera.
-struct Separation {
-  const PlacedShape& a;
-  const PlacedShape& b;
-  const Camera& camera;
-  double gap;  // metres
-
-  // Along a known normal the gap is the pair's separation, from the shape whose vertex was used.
-  std::optional<OnBoth> along(const Vec3d& normal, bool from_b) const {
-    const std::optional<Vec3d> found =
-        from_b ? farthest(a, normal, camera) : farthest(b, Vec3d(-normal), camera);
-    if (!found) return std::nullopt;
-    return from_b ? OnBoth{*found, *found + gap * normal} : OnBoth{*found - gap * normal, *found};
-  }
-};
-
 // Nearest points of the shapes from the trace, or points along the separating axis.
 std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, const PlacedShape& b,
                              const Camera& camera) {
-  const Separation separated{a, b, camera, pair.separation};
+  // Along a known normal the gap is the pair's separation, from the shape whose vertex was used.
+  const auto along = [&](const Vec3d& normal, bool from_b) -> std::optional<OnBoth> {
+    const std::optional<Vec3d> found =
+        from_b ? farthest(a, normal, camera) : farthest(b, Vec3d(-normal), camera);
+    if (!found) return std::nullopt;
+    const Vec3d gap = pair.separation * normal;
+    return from_b ? OnBoth{*found, *found + gap} : OnBoth{*found - gap, *found};
+  };
   if (pair.gjk && pair.gjk->status == "separated" && pair.gjk->distance > 0) {
     const Vec3d normal = (pair.gjk->point_b - pair.gjk->point_a) / pair.gjk->distance;
     const double margin_a = pair.incremental ? pair.incremental->margin_a : 0;
@@ -89,22 +80,22 @@ std::optional<OnBoth> gap_of(const trace::Pair& pair, const PlacedShape& a, cons
     const PlacedShape& plane = of_a ? a : b;
     if (!plane.traced().half_space) continue;
     const Vec3d outward = plane.pose.rotate(plane.traced().half_space->normal);
-    return separated.along(of_a ? outward : Vec3d(-outward), !of_a);
+    return along(of_a ? outward : Vec3d(-outward), !of_a);
   }
   if (is_ball(a) && is_ball(b)) {
     const Vec3d offset = b.vertices[0] - a.vertices[0];
     if (offset.isZero()) return std::nullopt;
-    return separated.along(offset.normalized(), true);
+    return along(offset.normalized(), true);
   }
   if (pair.sat) {
     const trace::Sat& sat = *pair.sat;
-    if (sat.chosen == "face_a" && sat.face_a) return separated.along(sat.face_a->normal, false);
-    if (sat.chosen == "face_b" && sat.face_b) return separated.along(sat.face_b->normal, true);
+    if (sat.chosen == "face_a" && sat.face_a) return along(sat.face_a->normal, false);
+    if (sat.chosen == "face_b" && sat.face_b) return along(sat.face_b->normal, true);
     if (sat.chosen == "edge_edge" && sat.edge)
       return OnBoth{sat.edge->point_b - sat.edge->separation * sat.edge->normal, sat.edge->point_b};
   }
   if (pair.cache && pair.cache->hit && pair.cache->normal && pair.cache->axis != "edge_edge")
-    return separated.along(*pair.cache->normal, pair.cache->axis == "face_b");
+    return along(*pair.cache->normal, pair.cache->axis == "face_b");
   return std::nullopt;
 }
 

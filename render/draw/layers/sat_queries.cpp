@@ -69,42 +69,37 @@ trace::Polygon plane_under(const Vec3d& middle, const Vec3d& normal, const Vec3d
           middle - left * u + up * v};
 }
 
-/// One column: the shapes and a query's best axis, moved by an offset.
-struct Column {
-  const Scene& scene;
-  Sketch& sketch;
-  Vec3d offset;
-
-  void draw_best(const BestAxis& best, bool chosen, double size) const {
-    // The plane of two edges is centred on A's edge, to show where it belongs. A parallel plane
-    // through B's edge would only hide the edge.
-    const bool of_edges = best.face.empty();
-    const Vec3d along =
-        of_edges ? Vec3d(best.edges[0][1] - best.edges[0][0]) : Vec3d(best.face[1] - best.face[0]);
-    const Vec3d middle = offset + (of_edges ? mean_of(best.edges[0]) : mean_of(best.face));
-    const Vec3d foot = offset + best.support - best.separation * best.normal;
-    const float strength = chosen ? 1.0f : 0.6f;
-    const double reach =
-        of_edges ? std::max(kEdgePlaneReach * size, 0.5 * along.norm()) : kPlaneReach * size;
-    sketch.face(plane_under(middle, best.normal, along, reach, foot, kBeyondFoot * size),
-                with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
-    if (!of_edges) {
-      const Vec3d support = offset + best.support;
-      sketch.outline(plane_under(support, best.normal, along, 0.4 * reach, support, 0),
-                     {1.5f, with_alpha(kAxis, strength), true});
-      std::vector<Vec3d> face = best.face;
-      for (Vec3d& corner : face) corner += offset;
-      sketch.face(face, with_alpha(kAxis, chosen ? 0.45f : 0.3f), {chosen ? 3.5f : 2.0f, kAxis});
-      sketch.explain(kParallelPlaneSwatch, "parallel plane through the support point");
-    }
-    for (const auto& [from, to] : best.edges)
-      sketch.line(from + offset, to + offset, {chosen ? 6.0f : 4.0f, kAxis});
-    sketch.measure(foot, offset + best.support, chosen ? 4.0f : 2.5f, 11, kAxisText);
-    sketch.mark(MarkKind::Dot, offset + best.support, kAxisText);
-    sketch.explain(kBestPlaneSwatch, "plane of the best face or edges, extended");
-    sketch.explain(kSupportVertexSwatch, "support point of the other shape");
+/// Draws a query's best axis, moved by the offset of its column.
+void draw_best(const BestAxis& best, bool chosen, double size, const Vec3d& offset,
+               Sketch& sketch) {
+  // The plane of two edges is centred on A's edge, to show where it belongs. A parallel plane
+  // through B's edge would only hide the edge.
+  const bool of_edges = best.face.empty();
+  const Vec3d along =
+      of_edges ? Vec3d(best.edges[0][1] - best.edges[0][0]) : Vec3d(best.face[1] - best.face[0]);
+  const Vec3d middle = offset + (of_edges ? mean_of(best.edges[0]) : mean_of(best.face));
+  const Vec3d foot = offset + best.support - best.separation * best.normal;
+  const float strength = chosen ? 1.0f : 0.6f;
+  const double reach =
+      of_edges ? std::max(kEdgePlaneReach * size, 0.5 * along.norm()) : kPlaneReach * size;
+  sketch.face(plane_under(middle, best.normal, along, reach, foot, kBeyondFoot * size),
+              with_alpha(kAxis, 0.22f * strength), {1.5f, with_alpha(kAxis, strength)});
+  if (!of_edges) {
+    const Vec3d support = offset + best.support;
+    sketch.outline(plane_under(support, best.normal, along, 0.4 * reach, support, 0),
+                   {1.5f, with_alpha(kAxis, strength), true});
+    std::vector<Vec3d> face = best.face;
+    for (Vec3d& corner : face) corner += offset;
+    sketch.face(face, with_alpha(kAxis, chosen ? 0.45f : 0.3f), {chosen ? 3.5f : 2.0f, kAxis});
+    sketch.explain(kParallelPlaneSwatch, "parallel plane through the support point");
   }
-};
+  for (const auto& [from, to] : best.edges)
+    sketch.line(from + offset, to + offset, {chosen ? 6.0f : 4.0f, kAxis});
+  sketch.measure(foot, offset + best.support, chosen ? 4.0f : 2.5f, 11, kAxisText);
+  sketch.mark(MarkKind::Dot, offset + best.support, kAxisText);
+  sketch.explain(kBestPlaneSwatch, "plane of the best face or edges, extended");
+  sketch.explain(kSupportVertexSwatch, "support point of the other shape");
+}
 
 void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
   const PlacedShape *a = scene.find(pair.a), *b = scene.find(pair.b);
@@ -137,7 +132,7 @@ void draw_sat_queries(const Scene& scene, const trace::Pair& pair, Sketch& sketc
                    0);
     const bool chosen = pair.sat->chosen == kChosen[k];
     if (found[k] && (!found[k]->face.empty() || !found[k]->edges.empty()))
-      Column{scene, sketch, offset}.draw_best(*found[k], chosen, size);
+      draw_best(*found[k], chosen, size, offset, sketch);
     const Vec3d above = middle + offset + top * camera.up();
     sketch.label(above, k == 2 && columns < 3 ? "segment × edges" : kQueryNames[k], kText,
                  kQueryName, 0, Vec3d(-camera.up()));
