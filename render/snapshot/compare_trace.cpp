@@ -4,7 +4,6 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "core/at.h"
 #include "snapshot/store.h"
 
 namespace contactscope::snapshot {

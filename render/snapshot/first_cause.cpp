@@ -1,6 +1,5 @@
 #include "snapshot/compare_trace.h"
 
-#include "core/at.h"
 #include "trace/find.h"
 
 namespace contactscope::snapshot {

@@ -5,7 +5,6 @@
 
 #include <cstdlib>
 #include <ctime>
-#include <mutex>
 
 #include "vector/font_subset.h"
 #include "vector/pieces.h"

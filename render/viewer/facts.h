@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/at.h"
 #include "trace/trace.h"
 
 /// The facts of a sequence in a compact form: shapes once, then integers.

@@ -7,7 +7,6 @@
 #endif
 
 #include "app/cli/progress.h"
-#include "app/cli/verbs.h"
 #include "app/render/figure_canvas.h"
 #include "core/input_error.h"
 

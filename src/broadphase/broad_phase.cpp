@@ -1,7 +1,5 @@
 #include "broadphase/broad_phase.h"
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 

@@ -1,7 +1,6 @@
 #include <unordered_set>
 
 #include "broadphase/broad_phase.h"
-#include "core/at.h"
 
 namespace contactscope {
 namespace {

@@ -1,5 +1,4 @@
 #include "broadphase/broad_phase.h"
-#include "core/at.h"
 
 namespace contactscope {
 namespace {

@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "broadphase/broad_phase.h"
-#include "continuous/approach.h"
 #include "continuous/portal_cast.h"
 #include "query/mesh_overlap.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "core/vec3.h"
 
 namespace contactscope {

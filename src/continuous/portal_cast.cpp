@@ -1,6 +1,5 @@
 #include "continuous/portal_cast.h"
 
-#include "core/at.h"
 #include "geometry/lanes.h"
 #include "query/minkowski_difference.h"
 #include "query/simplex.h"

@@ -1,4 +1,3 @@
-#include "continuous/approach.h"
 #include "continuous/portal_cast.h"
 #include "query/minkowski_difference.h"
 

@@ -1,7 +1,5 @@
 #include "core/convex_polygon.h"
 
-#include "core/at.h"
-
 namespace contactscope {
 
 std::vector<Vec2d> project(std::span<const Vec3d> points, const Vec3d& normal) {

@@ -2,8 +2,6 @@
 
 #include <charconv>
 
-#include "core/at.h"
-
 namespace contactscope {
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The part of the standard library that nearly every file uses, precompiled with Eigen. A file that
-/// includes a header of the project, or this one, does not list these again.
+/// The part of the standard library that nearly every file uses, precompiled with Eigen, and at.h. A
+/// file that includes a header of the project, or this one, does not list these again.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -26,3 +26,5 @@
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "core/at.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "dynamics/solver.h"
 
 /// Constraints of a step, and the impulses kept for the next one. Warm starting: Gregorius 2015,

@@ -1,8 +1,6 @@
 #include "dynamics/continuous_step.h"
 
 #include "broadphase/broad_phase.h"
-#include "continuous/motion_bounds.h"
-#include "core/at.h"
 #include "dynamics/solver.h"
 #include "geometry/core_hull.h"
 #include "geometry/mesh.h"

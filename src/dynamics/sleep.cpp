@@ -1,6 +1,5 @@
 #include "dynamics/sleep.h"
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
 
 namespace contactscope {

@@ -2,7 +2,6 @@
 
 #include "dynamics/bounce.h"
 #include "dynamics/integrate.h"
-#include "dynamics/solve_velocities.h"
 
 namespace contactscope {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "continuous/motion_bounds.h"
-#include "core/at.h"
 #include "dynamics/body.h"
 #include "dynamics/continuous_step.h"
 #include "dynamics/solver_settings.h"

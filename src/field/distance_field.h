@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "field/nearest_point.h"
 #include "field/node_blend.h"
 #include "geometry/shape.h"

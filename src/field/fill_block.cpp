@@ -1,6 +1,4 @@
-#include "core/at.h"
 #include "field/block_filler.h"
-#include "field/field_builder.h"
 
 namespace contactscope {
 

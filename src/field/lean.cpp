@@ -1,7 +1,5 @@
 #include "field/lean.h"
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 

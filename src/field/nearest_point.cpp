@@ -1,7 +1,5 @@
 #include "field/nearest_point.h"
 
-#include "core/at.h"
-
 namespace contactscope {
 NearestTriangles::NearestTriangles(std::shared_ptr<const Mesh<double>> mesh)
     : mesh_(std::move(mesh)), prisms_(mesh_->triangles.size()) {

@@ -1,7 +1,5 @@
 #include "field/block_filler.h"
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "field/triangle_sieve.h"
 
-#include "core/at.h"
 #include "field/lean.h"
 
 namespace contactscope {

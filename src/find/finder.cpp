@@ -1,6 +1,5 @@
 #include "find/finder.h"
 
-#include "core/at.h"
 #include "core/spell.h"
 #include "trace/find.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "core/static_vector.h"
 #include "core/vec3.h"
 #include "geometry/aabb.h"

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
 #include "core/static_vector.h"
 

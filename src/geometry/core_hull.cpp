@@ -1,6 +1,5 @@
 #include "geometry/core_hull.h"
 
-#include "core/at.h"
 #include "geometry/hull_builder.h"
 
 namespace contactscope {

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <sstream>
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
 #include "geometry/aabb.h"
 #include "geometry/quickhull.h"

@@ -2,7 +2,6 @@
 
 #include <unordered_map>
 
-#include "core/at.h"
 #include "core/manifold.h"
 #include "geometry/predicates.h"
 

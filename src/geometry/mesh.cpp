@@ -1,8 +1,5 @@
 #include "geometry/mesh.h"
 
-#include <cassert>
-
-#include "core/at.h"
 #include "geometry/mesh_seams.h"
 
 namespace contactscope {

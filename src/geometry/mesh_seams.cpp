@@ -1,6 +1,5 @@
 #include "geometry/mesh_seams.h"
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
 
 namespace contactscope {

@@ -8,7 +8,6 @@
 #include <sstream>
 #include <system_error>
 
-#include "core/at.h"
 #include "core/input_error.h"
 #include "core/spell.h"
 #include "geometry/triangulate.h"

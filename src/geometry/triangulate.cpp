@@ -1,8 +1,5 @@
 #include "geometry/triangulate.h"
 
-#include <cassert>
-
-#include "core/at.h"
 #include "core/convex_polygon.h"
 #include "geometry/hull_builder.h"
 

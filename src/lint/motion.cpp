@@ -1,5 +1,3 @@
-
-#include "core/at.h"
 #include "lint/watch.h"
 #include "trace/find.h"
 

@@ -2,7 +2,6 @@
 
 #include "geometry/hull_builder.h"
 #include "query/closest_points.h"
-#include "query/gjk.h"
 #include "query/penetration.h"
 
 namespace contactscope::lint {

@@ -1,6 +1,5 @@
 #include "lint/wrong_pairs.h"
 
-#include "core/at.h"
 #include "lint/watch.h"
 
 namespace contactscope::lint {

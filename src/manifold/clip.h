@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "core/manifold.h"
 #include "query/hull_pair.h"
 

@@ -1,6 +1,5 @@
 #include "manifold/collide_pairs.h"
 #include "manifold/round_contact.h"
-#include "query/capsule_sat.h"
 #include "query/closest_points.h"
 #include "query/tolerance.h"
 

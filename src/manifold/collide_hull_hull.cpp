@@ -1,6 +1,5 @@
 #include "manifold/collide_pairs.h"
 #include "manifold/create_contact.h"
-#include "query/sat.h"
 
 namespace contactscope {
 

@@ -2,8 +2,6 @@
 #include "manifold/round_contact.h"
 #include "query/closest_points.h"
 #include "query/fast/point_faces.h"
-#include "query/gjk.h"
-#include "query/hull_feature.h"
 #include "query/tolerance.h"
 #include "query/voronoi_region.h"
 

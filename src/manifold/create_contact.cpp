@@ -3,8 +3,6 @@
 #include "manifold/contact_depth.h"
 #include "manifold/edge_contact.h"
 #include "manifold/recorder.h"
-#include "query/gjk.h"
-#include "query/tolerance.h"
 
 namespace contactscope {
 namespace {

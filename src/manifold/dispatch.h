@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "core/manifold.h"
 #include "core/pose.h"
 #include "geometry/shape.h"

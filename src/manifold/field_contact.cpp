@@ -2,7 +2,6 @@
 
 #include <queue>
 
-#include "core/at.h"
 #include "query/gjk.h"
 
 namespace contactscope {

@@ -1,7 +1,5 @@
 #include "manifold/flip_distance.h"
 
-#include <random>
-
 #include "core/random.h"
 #include "geometry/bounds.h"
 #include "manifold/dispatch.h"

@@ -5,7 +5,6 @@
 #include "manifold/edge_contact.h"
 #include "manifold/recorder.h"
 #include "query/support_set.h"
-#include "query/tolerance.h"
 
 namespace contactscope {
 namespace {

@@ -1,6 +1,5 @@
 #include "manifold/recorder.h"
 
-#include "core/at.h"
 #include "geometry/hull_builder.h"
 #include "manifold/dispatch.h"
 #include "manifold/edge_contact.h"

@@ -1,6 +1,4 @@
 #include "package/contactscope/collide.h"
-#include "core/at.h"
-#include "core/input_error.h"
 #include "geometry/hull_builder.h"
 #include "geometry/primitives.h"
 #include "manifold/dispatch.h"

@@ -1,6 +1,5 @@
 #include "package/facts.h"
 
-#include "core/at.h"
 #include "core/key_table.h"
 #include "core/spell.h"
 #include "package/contactscope/version.h"

@@ -1,7 +1,3 @@
-#include "package/contactscope/render.h"
-
-#include "core/at.h"
-#include "draw/staging.h"
 #include "gl/rasterizer.h"
 #include "image/png.h"
 #include "overlay/panels.h"

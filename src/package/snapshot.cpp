@@ -1,10 +1,6 @@
 #include <cstdlib>
-#include <filesystem>
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
-#include "core/spell.h"
-#include "image/compare.h"
 #include "image/png.h"
 #include "package/contactscope/snapshot.h"
 #include "package/facts.h"

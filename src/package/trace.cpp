@@ -1,11 +1,7 @@
-#include "package/contactscope/trace.h"
-
 #include <cstdlib>
-#include <filesystem>
 #include <sstream>
 
 #include "app/cli/trace_file.h"
-#include "core/at.h"
 #include "core/input_error.h"
 #include "package/facts.h"
 #include "snapshot/store.h"

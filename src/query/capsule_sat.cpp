@@ -1,7 +1,5 @@
 #include "query/capsule_sat.h"
 
-#include "core/at.h"
-#include "geometry/lanes.h"
 #include "query/closest_points.h"
 #include "query/fast/point_faces.h"
 #include "query/support_set.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "geometry/hull.h"
 
 namespace contactscope {

@@ -1,9 +1,7 @@
 #include "query/gjk.h"
 
-#include "core/at.h"
 #include "query/penetration_bounds.h"
 #include "query/simplex.h"
-#include "query/tolerance.h"
 
 namespace contactscope {
 namespace {

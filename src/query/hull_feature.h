@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "core/feature_id.h"
 #include "geometry/hull.h"
 #include "query/gjk.h"

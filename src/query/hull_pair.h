@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "core/pose.h"
 #include "core/static_vector.h"
 #include "geometry/hull.h"

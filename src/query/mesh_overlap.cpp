@@ -1,6 +1,5 @@
 #include "query/mesh_overlap.h"
 
-#include "core/at.h"
 #include "core/pack.h"
 
 namespace contactscope {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "core/pose.h"
 #include "query/gjk.h"
 #include "query/support_set.h"

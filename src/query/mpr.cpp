@@ -1,7 +1,5 @@
 #include "query/penetration_bounds.h"
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 

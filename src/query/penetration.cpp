@@ -4,7 +4,6 @@
 #include "query/closest_points.h"
 #include "query/penetration_bounds.h"
 #include "query/sat.h"
-#include "query/tolerance.h"
 
 namespace contactscope {
 namespace {

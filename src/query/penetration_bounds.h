@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "query/minkowski_difference.h"
 #include "query/penetration.h"
 #include "query/tolerance.h"

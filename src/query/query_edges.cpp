@@ -1,7 +1,5 @@
-#include "core/at.h"
 #include "query/fast/face_bounds.h"
 #include "query/gauss_map.h"
-#include "query/sat.h"
 #include "query/tolerance.h"
 
 namespace contactscope {

@@ -1,6 +1,5 @@
 #include "query/simplex.h"
 
-#include "core/at.h"
 #include "query/tolerance.h"
 
 namespace contactscope {

@@ -1,6 +1,5 @@
 #include "query/triangle_overlap.h"
 
-#include "core/at.h"
 #include "core/static_vector.h"
 #include "geometry/predicates.h"
 

@@ -1,6 +1,5 @@
 #include "query/winding.h"
 
-#include "core/at.h"
 #include "geometry/predicates.h"
 #include "query/mesh_overlap.h"
 

@@ -1,8 +1,6 @@
-#include "reduce/choices.h"
 #include "reduce/fast/area_of_eight.h"
 #include "reduce/grow.h"
 #include "reduce/optimal_ring.h"
-#include "reduce/steps.h"
 
 namespace contactscope {
 namespace {

@@ -1,5 +1,4 @@
 #include "reduce/optimal_ring.h"
-#include "reduce/steps.h"
 
 namespace contactscope {
 namespace {

@@ -1,6 +1,5 @@
 #include "core/convex_polygon.h"
 #include "reduce/grow.h"
-#include "reduce/steps.h"
 
 namespace contactscope {
 namespace {

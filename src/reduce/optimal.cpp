@@ -1,8 +1,5 @@
 #include "reduce/optimal_ring.h"
 
-#include "core/at.h"
-#include "core/static_vector.h"
-
 namespace contactscope {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "reduce/polygon_area.h"
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
 
 namespace contactscope {

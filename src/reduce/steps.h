@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "reduce/reducer.h"
 
 namespace contactscope {

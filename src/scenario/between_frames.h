@@ -2,7 +2,6 @@
 
 #include "continuous/impact_of_shapes.h"
 #include "continuous/motion_bounds.h"
-#include "core/at.h"
 #include "dynamics/continuous_step.h"
 #include "scenario/scenario.h"
 #include "trace/impact.h"

@@ -1,8 +1,5 @@
 #include "scenario/deform.h"
 
-#include <cassert>
-
-#include "core/at.h"
 #include "scenario/scenario.h"
 
 namespace contactscope {

@@ -1,7 +1,4 @@
-#include "continuous/impact_of_shapes.h"
 #include "continuous/impact_with_mesh.h"
-#include "core/at.h"
-#include "geometry/mesh.h"
 #include "scenario/between_frames.h"
 #include "scenario/deform.h"
 

@@ -1,6 +1,5 @@
 #include "core/spell.h"
 #include "field/distance_field.h"
-#include "geometry/mesh.h"
 #include "geometry/mesh_seams.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"

@@ -1,7 +1,5 @@
 #include "scenario/pair_chooser.h"
 
-#include "core/at.h"
-
 namespace contactscope {
 
 PairChooser::PairChooser(const Scenario& scenario)

@@ -1,5 +1,4 @@
 #include "broadphase/broad_phase.h"
-#include "core/at.h"
 #include "manifold/dispatch.h"
 #include "reduce/reducer.h"
 #include "scenario/readers.h"

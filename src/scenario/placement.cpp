@@ -1,4 +1,3 @@
-#include <random>
 
 #include "core/random.h"
 #include "geometry/obj.h"

@@ -1,13 +1,6 @@
 #include "scenario/run.h"
 
-#include <cassert>
-
-#include "broadphase/broad_phase.h"
-#include "core/at.h"
-#include "dynamics/sleep.h"
-#include "manifold/dispatch.h"
 #include "manifold/flip_distance.h"
-#include "manifold/incremental.h"
 #include "scenario/active_pair.h"
 #include "scenario/between_frames.h"
 #include "scenario/pair_chooser.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "dynamics/sleep.h"
 #include "dynamics/solver.h"
 #include "field/distance_field.h"

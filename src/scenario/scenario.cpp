@@ -1,15 +1,12 @@
 #include "scenario/scenario.h"
 
 #include <cctype>
-#include <filesystem>
 #include <fstream>
 #include <system_error>
 
-#include "core/input_error.h"
 #include "core/spell.h"
 #include "scenario/readers.h"
 #include "scenario/words_file.h"
-#include "view/words.h"
 
 namespace contactscope {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "continuous/impact_of_shapes.h"
-#include "core/at.h"
 #include "core/manifold.h"
 #include "core/pose.h"
 #include "dynamics/solver_settings.h"

@@ -1,11 +1,9 @@
 #include <system_error>
 
-#include "core/at.h"
 #include "geometry/hull_builder.h"
 #include "geometry/mesh_seams.h"
 #include "geometry/obj.h"
 #include "geometry/primitives.h"
-#include "geometry/shape.h"
 #include "geometry/triangulate.h"
 #include "scenario/readers.h"
 

@@ -2,8 +2,6 @@
 
 #include <sstream>
 
-#include "core/at.h"
-#include "core/input_error.h"
 #include "core/spell.h"
 
 namespace contactscope::scenario_file {

@@ -2,10 +2,8 @@
 
 #include <cctype>
 
-#include "core/at.h"
 #include "core/input_error.h"
 #include "find/finder.h"
-#include "lint/linter.h"
 #include "scenario/run.h"
 #include "versus/comparison.h"
 #include "versus/request.h"

@@ -1,6 +1,5 @@
 #include "shrink/shrink.h"
 
-#include "core/at.h"
 #include "core/spell.h"
 
 namespace contactscope::shrink {

@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 
-#include "core/at.h"
 #include "core/spell.h"
 
 namespace contactscope::shrink {

@@ -1,8 +1,5 @@
 #include "study/broad_phase_study.h"
 
-#include <random>
-
-#include "core/at.h"
 #include "study/random_cases.h"
 
 namespace contactscope {

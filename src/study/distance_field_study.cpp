@@ -1,7 +1,3 @@
-#include <random>
-
-#include "core/at.h"
-#include "field/distance_field.h"
 #include "manifold/field_contact.h"
 #include "study/field_peer.h"
 #include "study/random_cases.h"

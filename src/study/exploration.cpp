@@ -1,7 +1,5 @@
 #include "study/exploration.h"
 
-#include <mutex>
-
 #include "core/workers.h"
 #include "scenario/run.h"
 #include "trace/find.h"

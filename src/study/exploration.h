@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "core/manifold.h"
 #include "reduce/polygon_area.h"
 #include "reduce/reducer.h"

@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "dynamics/solver.h"
 #include "geometry/hull_builder.h"
 #include "geometry/mesh_seams.h"

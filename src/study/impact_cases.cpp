@@ -1,7 +1,6 @@
 #include "study/impact_cases.h"
 
 #include "continuous/impact.h"
-#include "core/at.h"
 #include "study/random_cases.h"
 
 namespace contactscope {

@@ -1,7 +1,5 @@
 #include "study/limits_study.h"
 
-#include "core/at.h"
-#include "core/workers.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 

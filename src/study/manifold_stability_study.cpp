@@ -1,10 +1,7 @@
 #include "study/manifold_stability_study.h"
 
-#include "core/at.h"
 #include "dynamics/sleep.h"
-#include "dynamics/solver.h"
 #include "geometry/primitives.h"
-#include "manifold/incremental.h"
 #include "manifold/incremental_patch.h"
 #include "study/random_cases.h"
 #include "study/solver_stack.h"

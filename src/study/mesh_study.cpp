@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "query/mesh_query_cost.h"
 #include "study/random_cases.h"
 #include "study/study.h"

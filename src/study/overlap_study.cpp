@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "geometry/primitives.h"
 #include "query/overlap.h"
 #include "query/penetration.h"

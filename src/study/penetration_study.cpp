@@ -1,6 +1,5 @@
 #include "query/penetration.h"
 #include "study/depth_peer.h"
-#include "study/random_cases.h"
 #include "study/study.h"
 
 namespace contactscope {

@@ -1,6 +1,5 @@
 #include "study/picture.h"
 
-#include "core/at.h"
 #include "core/spell.h"
 
 namespace contactscope::record {

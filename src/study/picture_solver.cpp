@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "core/spell.h"
 #include "study/picture.h"
 #include "study/solver_stack.h"

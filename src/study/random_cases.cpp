@@ -1,6 +1,5 @@
 #include "study/random_cases.h"
 
-#include "core/at.h"
 #include "geometry/hull_builder.h"
 
 namespace contactscope {

@@ -1,8 +1,5 @@
-#include "core/at.h"
-#include "reduce/reducer.h"
 #include "study/exploration.h"
 #include "study/random_cases.h"
-#include "study/study.h"
 
 namespace contactscope {
 namespace {

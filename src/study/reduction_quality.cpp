@@ -1,8 +1,6 @@
 #include "study/exploration.h"
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
-#include "reduce/polygon_area.h"
 
 namespace contactscope {
 namespace {

@@ -1,7 +1,5 @@
 #include "study/separation_oracle.h"
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "study/solver_stack.h"
 
-#include "core/at.h"
 #include "geometry/primitives.h"
 #include "study/random_cases.h"
 #include "study/study.h"

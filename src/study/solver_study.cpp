@@ -1,6 +1,4 @@
-#include <mutex>
 
-#include "core/workers.h"
 #include "study/random_cases.h"
 #include "study/solver_stack.h"
 #include "study/study.h"

@@ -3,8 +3,6 @@
 #include <ctime>
 #include <fstream>
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 

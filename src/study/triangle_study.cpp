@@ -1,4 +1,3 @@
-#include "query/triangle_overlap.h"
 #include "study/plain_triangle_test.h"
 #include "study/random_cases.h"
 #include "study/study.h"

@@ -1,10 +1,8 @@
 #include "continuous/impact_of_shapes.h"
-#include "core/at.h"
 #include "geometry/primitives.h"
 #include "query/gjk.h"
 #include "study/impact_cases.h"
 #include "study/random_cases.h"
-#include "study/study.h"
 
 namespace contactscope {
 namespace {

@@ -1,5 +1,4 @@
 #include "trace/find.h"
-#include "trace/trace.h"
 
 namespace contactscope::trace {
 namespace {

@@ -1,7 +1,6 @@
 #include "trace/json.h"
 
 #include <cctype>
-#include <nlohmann/json.hpp>
 
 #include "trace/exploration.h"
 #include "trace/json_node.h"

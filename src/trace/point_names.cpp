@@ -2,7 +2,6 @@
 
 #include <unordered_map>
 
-#include "core/at.h"
 #include "core/feature_id.h"
 #include "core/pose.h"
 

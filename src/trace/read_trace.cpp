@@ -3,7 +3,6 @@
 #include <istream>
 
 #include "core/input_error.h"
-#include "core/key_table.h"
 #include "core/spell.h"
 #include "trace/json_node.h"
 #include "trace/reference.h"

@@ -1,6 +1,5 @@
 #include "versus/comparison.h"
 
-#include "core/at.h"
 #include "trace/find.h"
 #include "trace/point_names.h"
 #include "versus/request.h"

@@ -13,10 +13,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
 #include "lint/solid.h"
-#include "manifold/dispatch.h"
 
 namespace contactscope::versus {
 namespace {

@@ -1,8 +1,6 @@
 #include "versus/rollout.h"
 
-#include "core/at.h"
 #include "lint/claims.h"
-#include "lint/solid.h"
 #include "trace/find.h"
 
 namespace contactscope::versus {

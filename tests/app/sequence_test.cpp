@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "core/at.h"
 #include "support/temporary_folder.h"
 #include "trace/json.h"
 

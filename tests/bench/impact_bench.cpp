@@ -17,7 +17,6 @@
 #include "continuous/feature_pair.h"
 #include "continuous/impact_with_mesh.h"
 #include "continuous/portal_cast.h"
-#include "core/at.h"
 #include "study/impact_cases.h"
 #include "study/study.h"
 #ifdef CONTACTSCOPE_PEERS

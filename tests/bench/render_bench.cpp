@@ -7,7 +7,6 @@
 
 #include "app/cli/progress.h"
 #include "app/render/renderer.h"
-#include "core/at.h"
 #include "draw/staging.h"
 #include "gl/context.h"
 #include "gl/rasterizer.h"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "continuous/impact_with_mesh.h"
-#include "core/at.h"
 #include "geometry/mesh.h"
 #include "support/brute_force_distance.h"
 #include "support/cases.h"

@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/at.h"
-
 namespace contactscope {
 namespace {
 

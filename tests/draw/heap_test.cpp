@@ -9,7 +9,6 @@
 #include <random>
 #include <set>
 
-#include "core/at.h"
 #include "draw/drawn_texts.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/home_region.h"

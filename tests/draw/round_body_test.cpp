@@ -10,7 +10,6 @@
 #include <random>
 #include <utility>
 
-#include "core/at.h"
 #include "core/convex_polygon.h"
 #include "draw/scene/palette.h"
 #include "support/cases.h"

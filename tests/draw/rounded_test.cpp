@@ -7,8 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/at.h"
-
 namespace contactscope::draw {
 namespace {
 

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "core/at.h"
 #include "dynamics/solver.h"
 #include "geometry/primitives.h"
 #include "support/builders.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "core/at.h"
 #include "support/random_geometry.h"
 
 namespace contactscope {

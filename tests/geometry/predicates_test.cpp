@@ -7,7 +7,6 @@
 #include <limits>
 #include <vector>
 
-#include "core/at.h"
 #include "support/exact_integer.h"
 #include "support/random_geometry.h"
 

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/at.h"
 #include "geometry/mesh.h"
 #include "support/random_geometry.h"
 #include "support/sphere_mesh.h"

@@ -8,7 +8,6 @@
 #include <set>
 #include <sstream>
 
-#include "core/at.h"
 #include "lint/worlds.h"
 #include "support/temporary_folder.h"
 #include "trace/read_trace.h"

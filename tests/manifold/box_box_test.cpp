@@ -7,7 +7,6 @@
 #include <numbers>
 #include <string>
 
-#include "core/at.h"
 #include "geometry/primitives.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/dispatch.h"

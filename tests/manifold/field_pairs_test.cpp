@@ -4,7 +4,6 @@
 #include <numbers>
 #include <set>
 
-#include "core/at.h"
 #include "field/closed_surface.h"
 #include "field/distance_field.h"
 #include "geometry/hull_builder.h"

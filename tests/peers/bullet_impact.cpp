@@ -5,7 +5,6 @@
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
 
-#include "core/at.h"
 #include "peers/impact_peer.h"
 
 namespace contactscope::peers {

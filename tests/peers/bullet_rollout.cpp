@@ -1,7 +1,6 @@
 // Bullet 3.24 steps a scene: its discrete world with its default solver and settings.
 #include <btBulletDynamicsCommon.h>
 
-#include "core/at.h"
 #include "peers/bullet_shape.h"
 #include "peers/rollout.h"
 

@@ -2,7 +2,6 @@
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
-#include "core/at.h"
 #include "peers/impact_peer.h"
 
 namespace contactscope::peers {

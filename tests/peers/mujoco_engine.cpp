@@ -9,7 +9,6 @@
 #include <set>
 #include <sstream>
 
-#include "core/at.h"
 #include "core/input_error.h"
 #include "peers/add_point.h"
 #include "peers/mujoco_model.h"

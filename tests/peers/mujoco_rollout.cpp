@@ -1,7 +1,6 @@
 // MuJoCo steps a scene with mj_step, its Euler integrator and its default soft contacts.
 #include <iostream>
 
-#include "core/at.h"
 #include "peers/mujoco_model.h"
 
 namespace contactscope::peers {

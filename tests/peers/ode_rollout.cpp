@@ -4,7 +4,6 @@
 #include <cmath>
 #include <deque>
 
-#include "core/at.h"
 #include "peers/ode_geometry.h"
 #include "peers/rollout.h"
 

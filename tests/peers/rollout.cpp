@@ -5,7 +5,6 @@
 #include <iostream>
 #include <map>
 
-#include "core/at.h"
 #include "lint/claims.h"
 #include "trace/find.h"
 #include "trace/json.h"

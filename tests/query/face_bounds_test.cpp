@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "core/at.h"
 #include "geometry/primitives.h"
 #include "query/tolerance.h"
 #include "support/cases.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 
-#include "core/at.h"
 #include "query/mesh_query_cost.h"
 #include "support/random_geometry.h"
 #include "support/sphere_mesh.h"

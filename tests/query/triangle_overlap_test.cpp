@@ -9,7 +9,6 @@
 #include <string>
 #include <type_traits>
 
-#include "core/at.h"
 #include "support/exact_triangles.h"
 #include "support/random_triangles.h"
 

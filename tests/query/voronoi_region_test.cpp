@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/at.h"
 #include "geometry/primitives.h"
 #include "query/fast/point_faces.h"
 #include "support/brute_force_distance.h"

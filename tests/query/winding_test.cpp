@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/at.h"
 #include "query/mesh_overlap.h"
 #include "support/random_geometry.h"
 #include "support/sphere_mesh.h"

@@ -6,7 +6,6 @@
 
 #include <gmock/gmock.h>
 
-#include "core/at.h"
 #include "scenario/broken.h"
 #include "scenario/run.h"
 #include "support/temporary_folder.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/at.h"
 #include "query/mesh_query_cost.h"
 #include "scenario/run.h"
 

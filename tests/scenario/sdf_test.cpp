@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/at.h"
 #include "field/distance_field.h"
 #include "scenario/broken.h"
 #include "scenario/run.h"

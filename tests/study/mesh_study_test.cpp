@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include "core/at.h"
 #include "study/plain_triangle_test.h"
 #include "study/study.h"
 #include "study_lines.h"

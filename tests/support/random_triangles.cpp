@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/at.h"
-
 namespace contactscope::test {
 namespace {
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/at.h"
-
 namespace contactscope::test {
 namespace {
 

@@ -6,8 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/at.h"
-
 /// Scores of rollouts whose motion is known in advance.
 namespace contactscope::versus {
 namespace {

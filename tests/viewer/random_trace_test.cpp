@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/at.h"
 #include "support/cases.h"
 #include "support/random_geometry.h"
 #include "trace/json.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "core/at.h"
 #include "find/finder.h"
 #include "viewer/in_chromium.h"
 

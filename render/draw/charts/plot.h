@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "draw/charts/axis.h"
 #include "draw/scene/pen.h"
 #include "trace/study.h"

@@ -1,6 +1,5 @@
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
-#include "draw/scene/labels.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/quantity.h"
 

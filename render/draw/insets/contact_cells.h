@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/at.h"
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
 #include "draw/scene/layout.h"

@@ -1,4 +1,3 @@
-#include "core/at.h"
 #include "draw/layers/layer.h"
 #include "draw/scene/outlines.h"
 #include "draw/scene/pairs.h"

@@ -1,6 +1,5 @@
 #include "draw/scene/camera.h"
 
-#include "core/at.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

@@ -1,6 +1,5 @@
 #include <future>
 
-#include "core/at.h"
 #include "draw/scene/labels.h"
 #include "draw/scene/outlines.h"
 

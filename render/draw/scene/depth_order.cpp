@@ -2,7 +2,6 @@
 
 #include <deque>
 
-#include "core/at.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

@@ -1,6 +1,5 @@
 #include "draw/scene/visibility.h"
 
-#include "core/at.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

@@ -1,7 +1,5 @@
 #include "draw/scene/labels.h"
 
-#include "core/at.h"
-
 namespace contactscope::draw {
 namespace {
 

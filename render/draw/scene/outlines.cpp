@@ -1,8 +1,5 @@
 #include "draw/scene/outlines.h"
 
-#include <cassert>
-
-#include "core/at.h"
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

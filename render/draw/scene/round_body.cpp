@@ -2,7 +2,6 @@
 
 #include <initializer_list>
 
-#include "core/at.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 

@@ -2,7 +2,6 @@
 
 #include <unordered_map>
 
-#include "core/at.h"
 #include "draw/scene/camera.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/sketch.h"

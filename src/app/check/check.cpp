@@ -5,8 +5,6 @@
 #include "app/check/check_run.h"
 #include "app/check/reports/report.h"
 #include "app/cli/progress.h"
-#include "app/cli/verbs.h"
-#include "draw/staging.h"
 #include "gl/context.h"
 #include "vector/svg.h"
 

@@ -1,22 +1,15 @@
 #include "app/check/check_run.h"
 
 #include <cstdlib>
-#include <future>
 #include <iostream>
 #include <sstream>
 
 #include "app/check/reports/report.h"
 #include "app/cli/faults.h"
-#include "app/cli/progress.h"
-#include "app/cli/sequence.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
-#include "core/at.h"
 #include "core/input_error.h"
-#include "core/spell.h"
 #include "scenario/run.h"
-#include "scenario/scenario.h"
-#include "snapshot/check.h"
 #include "snapshot/compare_trace.h"
 #include "snapshot/report_folder.h"
 #include "snapshot/spelling.h"

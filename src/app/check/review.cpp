@@ -2,7 +2,6 @@
 
 #include <poll.h>
 #include <termios.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -11,9 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/reports/report.h"
-#include "app/cli/catalogue.h"
 #include "app/cli/progress.h"
-#include "core/at.h"
 #include "core/input_error.h"
 #include "core/key_table.h"
 #include "snapshot/changes.h"

@@ -1,11 +1,9 @@
 #include "app/cli/catalogue.h"
 
-#include <cstdio>
 #include <filesystem>
 
 #include "app/cli/narrow.h"
 #include "app/cli/options.h"
-#include "core/at.h"
 #include "core/input_error.h"
 #include "core/key_table.h"
 #include "core/spell.h"

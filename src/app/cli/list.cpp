@@ -1,16 +1,10 @@
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/cli/verbs.h"
 #include "broadphase/broad_phase.h"
-#include "continuous/impact_of_shapes.h"
-#include "core/at.h"
-#include "image/encoding.h"
-#include "image/png.h"
 #include "image/webp.h"
-#include "reduce/reducer.h"
 #include "scenario/scenario.h"
 #include "snapshot/store.h"
 #include "study/study.h"

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "app/cli/faults.h"
-#include "core/at.h"
 #include "core/key_table.h"
 #include "draw/scene/pairs.h"
 

@@ -2,7 +2,6 @@
 
 #include "app/cli/options.h"
 #include "app/render/formats/format.h"
-#include "core/at.h"
 #include "core/key_table.h"
 #include "draw/scene/theme.h"
 #include "reduce/reducer.h"

@@ -1,13 +1,11 @@
 #include "app/cli/options.h"
 
 #include <cctype>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <ostream>
 
 #include "app/cli/catalogue.h"
-#include "core/at.h"
 #include "core/key_table.h"
 #include "core/spell.h"
 #include "draw/scene/palette.h"

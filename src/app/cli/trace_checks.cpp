@@ -4,14 +4,9 @@
 #include <unordered_set>
 
 #include "app/cli/table.h"
-#include "core/at.h"
-#include "core/input_error.h"
-#include "core/key_table.h"
 #include "core/pose.h"
-#include "core/spell.h"
 #include "geometry/hull_builder.h"
 #include "snapshot/store.h"
-#include "trace/read_trace.h"
 #include "trace/reference.h"
 
 namespace contactscope::app {

@@ -1,9 +1,6 @@
 #include "app/cli/trace_file.h"
 
-#include <unistd.h>
-
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>

@@ -2,19 +2,14 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/progress.h"
 #include "app/cli/trace_file.h"
-#include "app/cli/verbs.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
-#include "core/at.h"
 #include "draw/charts/rollout_page.h"
 #include "draw/scene/quantity.h"
-#include "scenario/scenario.h"
 #include "snapshot/compare_facts.h"
 #include "snapshot/compare_runs.h"
 #include "snapshot/finding.h"
-#include "snapshot/spelling.h"
 #include "trace/find.h"
 
 namespace contactscope::app {

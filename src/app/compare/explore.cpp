@@ -1,15 +1,9 @@
-#include <filesystem>
 #include <iostream>
 
-#include "app/cli/catalogue.h"
-#include "app/cli/progress.h"
 #include "app/cli/table.h"
-#include "app/cli/verbs.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
-#include "core/at.h"
 #include "draw/insets/contact_cells.h"
-#include "reduce/reducer.h"
 #include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "study/exploration.h"

@@ -7,8 +7,6 @@
 #include "app/cli/table.h"
 #include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
-#include "core/at.h"
-#include "find/finder.h"
 #include "snapshot/finding.h"
 #include "trace/point_names.h"
 

@@ -1,15 +1,11 @@
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
-#include "app/cli/catalogue.h"
 #include "app/cli/faults.h"
-#include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/cli/trace_file.h"
 #include "app/compare/engine_runs.h"
 #include "app/render/renderer.h"
-#include "core/at.h"
 #include "core/input_error.h"
 #include "dynamics/body.h"
 #include "scenario/run.h"

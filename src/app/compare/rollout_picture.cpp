@@ -3,10 +3,8 @@
 #include "app/cli/table.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
-#include "core/at.h"
 #include "draw/charts/rollout_page.h"
 #include "draw/scene/quantity.h"
-#include "draw/staging.h"
 #include "snapshot/finding.h"
 #include "trace/find.h"
 

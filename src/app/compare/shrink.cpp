@@ -1,13 +1,10 @@
 #include "shrink/shrink.h"
 
-#include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/narrow.h"
 #include "app/cli/progress.h"
 #include "app/cli/trace_file.h"
-#include "app/cli/verbs.h"
 #include "app/compare/engine_runs.h"
 #include "core/spell.h"
 #include "snapshot/store.h"

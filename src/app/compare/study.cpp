@@ -5,16 +5,11 @@
 #include <iostream>
 
 #include "app/cli/catalogue.h"
-#include "app/cli/options.h"
-#include "app/cli/progress.h"
 #include "app/cli/table.h"
-#include "app/cli/verbs.h"
 #include "app/render/renderer.h"
 #include "core/key_table.h"
 #include "draw/charts/plot.h"
-#include "image/png.h"
 #include "image/whole_file.h"
-#include "trace/study.h"
 
 namespace contactscope::app {
 namespace {

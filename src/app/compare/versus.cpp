@@ -1,20 +1,14 @@
-#include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
-#include "app/cli/catalogue.h"
 #include "app/cli/faults.h"
-#include "app/cli/progress.h"
 #include "app/cli/table.h"
 #include "app/compare/engine_runs.h"
 #include "app/render/renderer.h"
-#include "core/at.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/quantity.h"
 #include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "trace/find.h"
-#include "versus/comparison.h"
 #include "versus/request.h"
 #include "view/title.h"
 

@@ -1,9 +1,7 @@
 #include <iostream>
 
-#include "app/cli/catalogue.h"
 #include "app/cli/narrow.h"
 #include "app/compare/engine_runs.h"
-#include "core/at.h"
 #include "draw/scene/pairs.h"
 
 namespace contactscope::app {

@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "app/cli/narrow.h"
-#include "core/at.h"
 #include "draw/panels/panel.h"
 #include "image/encoding.h"
 #include "image/whole_file.h"

@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <future>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -7,8 +6,6 @@
 #include "app/cli/narrow.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/formats/sinks.h"
-#include "core/at.h"
-#include "draw/staging.h"
 #include "draw/strip.h"
 #include "snapshot/finding.h"
 #include "snapshot/store.h"

@@ -8,7 +8,6 @@
 #include "app/cli/progress.h"
 #include "app/cli/sequence.h"
 #include "app/cli/verbs.h"
-#include "core/at.h"
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "gl/rasterizer.h"

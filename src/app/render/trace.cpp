@@ -1,7 +1,6 @@
 #include <iostream>
 
 #include "app/cli/catalogue.h"
-#include "app/cli/verbs.h"
 #include "scenario/run.h"
 #include "trace/json.h"
 

@@ -1,6 +1,5 @@
 #include "manifold/fast/box_on_triangles.h"
 
-#include "core/at.h"
 #include "manifold/edge_contact.h"
 #include "manifold/fast/box_face_contact.h"
 

@@ -1,4 +1,3 @@
-#include "manifold/contact_depth.h"
 #include "manifold/fast/box_face_contact.h"
 #include "manifold/fast/collide_box_box.h"
 

@@ -1,6 +1,5 @@
 #include "manifold/fast/collide_two_capsules.h"
 
-#include "manifold/contact.h"
 #include "manifold/round_contact.h"
 #include "query/fast/packed_vectors.h"
 #include "query/tolerance.h"

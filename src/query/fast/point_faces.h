@@ -2,7 +2,6 @@
 
 #include <cstring>
 
-#include "core/at.h"
 #include "core/pack.h"
 #include "core/static_vector.h"
 #include "geometry/hull.h"

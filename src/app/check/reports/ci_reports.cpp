@@ -2,8 +2,6 @@
 #include <sstream>
 
 #include "app/check/reports/report.h"
-#include "image/encoding.h"
-#include "image/png.h"
 #include "image/terminal.h"
 #include "snapshot/store.h"
 #include "vector/svg.h"
