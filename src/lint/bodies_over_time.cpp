@@ -1,4 +1,3 @@
-
 #include "core/spell.h"
 #include "lint/watch.h"
 #include "trace/find.h"

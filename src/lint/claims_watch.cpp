@@ -1,4 +1,3 @@
-
 #include "lint/small_depths.h"
 #include "lint/watch.h"
 #include "lint/wrong_pairs.h"

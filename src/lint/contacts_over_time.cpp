@@ -1,4 +1,3 @@
-
 #include "lint/watch.h"
 
 namespace contactscope::lint {
@@ -81,13 +80,15 @@ class ContactsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    // Rounding decides whether shapes touch: in long traces a few of these are no fault.
+    // Rounding decides whether shapes touch: in long traces a few of these are no fault, but for
+    // those of one pair.
     constexpr double kShare = 1e-4;
+    constexpr int kRepeats = 2;
     pairs_.report(findings,
                   "contacts of a pair vanish and return, and the shapes stay where they are",
                   "in these frames the pair has no contact: check the broad phase, caches that "
                   "expire, and what is left out when a frame is written",
-                  1, kShare);
+                  1, kShare, kRepeats);
     points_.report(findings, "contact points vanish and return, and the shapes stay where they are",
                    "in these frames the manifold has fewer points: check clipping, the reduction, "
                    "and how points are matched with those of the frame before",

@@ -1,4 +1,3 @@
-
 #include "lint/solid.h"
 #include "lint/watch.h"
 

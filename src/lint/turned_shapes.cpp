@@ -1,4 +1,3 @@
-
 #include "lint/watch.h"
 
 namespace contactscope::lint {

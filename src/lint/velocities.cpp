@@ -1,4 +1,3 @@
-
 #include "lint/watch.h"
 #include "trace/find.h"
 

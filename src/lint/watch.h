@@ -121,18 +121,20 @@ struct Tally {
   }
 
   /// Reports the problem, as below the threshold unless it occurs at least `least` times and in
-  /// that share of the cases, or one is gross.
+  /// that share of the cases, or `repeats` times in one pair, or one is gross.
   void report(std::vector<Finding>& findings, const std::string& what, const char* remedy,
-              int least = 1, double share = 0) const {
+              int least = 1, double share = 0,
+              int repeats = std::numeric_limits<int>::max()) const {
     if (count == 0) return;
     // One pair may have nearly all of them, and another one the first.
     const auto most =
         std::ranges::max_element(pairs, {}, [](const auto& pair) { return pair.second.count; });
     const double gross = worst.gross > kTimesOthers * small ? worst.gross : 0;
-    const bool is_rare = count < share * of;
-    Finding finding = is_rare && gross > 0             ? worst
-                      : 2 * most->second.count > count ? most->second.first
-                                                       : first;
+    const bool is_repeated = most->second.count >= repeats;
+    const bool is_rare = count < share * of && !is_repeated;
+    Finding finding = is_rare && gross > 0                            ? worst
+                      : is_repeated || 2 * most->second.count > count ? most->second.first
+                                                                      : first;
     finding.gross = gross;
     finding.cause = cause;
     finding.what = what;

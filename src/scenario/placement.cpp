@@ -1,4 +1,3 @@
-
 #include "core/random.h"
 #include "geometry/obj.h"
 #include "scenario/readers.h"

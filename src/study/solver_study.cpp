@@ -1,4 +1,3 @@
-
 #include "study/random_cases.h"
 #include "study/solver_stack.h"
 #include "study/study.h"

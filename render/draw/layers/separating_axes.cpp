@@ -1,4 +1,3 @@
-
 #include "draw/layers/layer.h"
 #include "draw/scene/pairs.h"
 

@@ -19,15 +19,18 @@ constexpr Swatch kMissedSwatch{LegendGroup::Trees, 8, [](auto& pen) {
                                  pen.area(answer_color(AnswerKind::Missed), 0, 2.5, true);
                                }};
 
+constexpr Swatch kWidenedSwatch{LegendGroup::Trees, 9,
+                                [](auto& pen) { pen.area(kMargin, 0, 1.5, true); }};
+
 constexpr float kOriented = 2.5f;  // pixels, for a box that coincides with edges of another one
 
 void explain(AnswerKind kind, Sketch& sketch) {
-  if (kind == AnswerKind::No) sketch.explain(kBoundsSeparatedSwatch, "bounds say no");
+  if (kind == AnswerKind::No) return sketch.explain(kBoundsSeparatedSwatch, "bounds say no");
   if (kind == AnswerKind::Yes)
-    sketch.explain(kOverlappingSwatch, "bounds say yes, as the shapes do");
+    return sketch.explain(kOverlappingSwatch, "bounds say yes, as the shapes do");
   if (kind == AnswerKind::FalsePositive)
-    sketch.explain(kFalsePositiveSwatch, "bounds say yes, the shapes no");
-  if (kind == AnswerKind::Missed) sketch.explain(kMissedSwatch, "bounds say no, the shapes yes");
+    return sketch.explain(kFalsePositiveSwatch, "bounds say yes, the shapes no");
+  sketch.explain(kMissedSwatch, "bounds say no, the shapes yes");
 }
 
 void draw_volume(const Scene& scene, const trace::Volume& volume, const LineStyle& style,
@@ -102,6 +105,13 @@ void draw_volumes(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     if (style.dashed && volume.half_extents && pair.query->bounds == "obb")
       draw_volume(scene, volume, {outlined.width + 1.5f, kWhite}, sketch);
     draw_volume(scene, volume, outlined, sketch);
+    if (!(pair.query->tolerance > 0)) continue;
+    trace::Volume wide = volume;
+    const double half = 0.5 * pair.query->tolerance;
+    if (wide.half_extents) wide.half_extents->array() += half;
+    if (wide.radius) *wide.radius += half;
+    draw_volume(scene, wide, {1.5f, kMargin, true}, sketch);
+    sketch.explain(kWidenedSwatch, "half of the tolerance: " + spell_length(half), wide.center);
   }
   explain(kind, sketch);
   if (several || pair.query->bounds_a->radius) name_volume(scene, pair, sketch);

@@ -101,11 +101,11 @@ void mark_pair(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
     sketch.arrow(place, at->manifold->normal, kNormalLength, 3, 12, kNormal);
     sketch.explain(kNormalSwatch, "normal, from A to B", place);
   }
-  Label& label =
-      sketch.label(place,
-                   spell_separation(at->point->separation, scene.noise(pair), scene.scales.length) +
-                       ": " + pair_name(pair),
-                   kContact, 17, 34, Vec3d(scene.camera.up()));
+  Label& label = sketch.label(
+      place,
+      spell_separation(at->point->separation, scene.noise(pair), scene.scales.length) +
+          (at->point == deepest_contact(pair)->point ? ": " : " here: ") + pair_name(pair),
+      kContact, 17, 34, Vec3d(scene.camera.up()));
   put_off_bodies(scene, label);
   label.leader = true;
 }
