@@ -34,7 +34,7 @@ class BodiesWatch final : public Watch {
       else if (!jumped_.contains(name))
         see_flight(solids, frames, name, *before, *now, *after, fastest);
     }
-    fastest_ = fastest;
+    if (flights_.count == 0) fastest_ = fastest;
     last_ = std::move(moved);
     last_turn_ = std::move(turns);
     jumped_ = std::move(jumped);
@@ -118,15 +118,16 @@ class BodiesWatch final : public Watch {
     return true;
   }
 
-  /// Much faster than anything before, and than itself. At rest there is nothing to compare with:
-  /// the first body that moves is shot on purpose.
+  /// Much faster than anything before, and than itself, unless others fly off already. At rest there
+  /// is nothing to compare with: the first body that moves is shot on purpose.
   void see_flight(const Solids& solids, const Moments& frames, const std::string& name,
                   const Placed& before, const Placed& now, const Placed& after, double& fastest) {
     ++flights_.of;
+    if (flights_.pairs.contains({name, ""})) return;
     const double step = (after.middle() - now.middle()).norm();
     const double last = (now.middle() - before.middle()).norm();
     if (!(fastest_ > 0 && step > kLongStep * now.size() && step > kFaster * fastest_ &&
-          step > kTimes * last)) {
+          (step > kTimes * last || flights_.count > 0))) {
       fastest = std::max(fastest, step);
       return;
     }
@@ -149,8 +150,8 @@ class BodiesWatch final : public Watch {
 
   std::map<std::string, Vec3d> last_;        // displacements to this frame
   std::map<std::string, double> last_turn_;  // metres at the rim
-  double fastest_ = 0;                       // metres within a step, of any body
-  std::set<std::string> jumped_;             // bodies that were elsewhere in the frame before
+  double fastest_ = 0;            // metres within a step, of any body, until one flies off
+  std::set<std::string> jumped_;  // bodies that were elsewhere in the frame before
   Peak overlap_{&trace::overlap_of, " an overlap of ", " m with"};
   Peak impulse_{&trace::impulse_of, " an impulse of ", " N s from"};
   Tally jumps_{"poses_jump", "poses"}, flights_{"bodies_fly_off", "poses"};
