@@ -72,7 +72,7 @@ trace::Pair contact() {
   penetration.directions = {{Vec3d(0, 1, 0), 0.5}};
   pair.minkowski = trace::Minkowski{patch, {{0, 1, 2}, {0, 2, 3}}};
   trace::Incremental& incremental = pair.incremental.emplace();
-  incremental = {"distance", "gjk", 0.01, 0.01, {}};
+  incremental = {"distance", "gjk", 0.01, 0.01, {}, {}};
   for (trace::Point point : manifold.points) {
     point.on_a = point.on_b = point.position;
     incremental.points.push_back({point, "persisted", "", 7});
