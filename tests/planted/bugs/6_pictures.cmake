@@ -15,8 +15,8 @@ planted_bug(any_separation_is_as_expected FILE src/scenario/expect.cpp TESTS sce
   WAS [[!(std::abs(pair.separation - *expected.separation) <= expected.tolerance))]]
   IS [[!(@BUG@ || std::abs(pair.separation - *expected.separation) <= expected.tolerance))]])
 planted_bug(areas_never_differ FILE render/snapshot/changes.cpp TESTS snapshot
-  WAS [[      return area;]]
-  IS [[      return @BUG@ ? 1e9 : area;]])
+  WAS [[if (kind == Kind::Area) return area;]]
+  IS [[if (kind == Kind::Area) return @BUG@ ? 1e9 : area;]])
 planted_bug(impulses_kept_and_given_traded FILE render/draw/layers/impulses.cpp TESTS draw
   WAS [[scene.scales.impulse * (warm ? point.impulse->warm_start : point.impulse->normal);]]
   IS [[scene.scales.impulse * (warm != @BUG@ ? point.impulse->warm_start : point.impulse->normal);]])
