@@ -77,9 +77,8 @@ std::string result_of_precision(Picture& plot) {
   const double closer = plot.error(in_float) / plot.error(in_double);
   show_bars(plot, "least time of a call", "error of the depth / size of the hulls",
             [](const StudyPoint& point) { return power(*point.error); });
-  return "Double finds the depth of two hulls " + power(closer) +
-         " times as exactly as float, in " +
-         (slower < 1.5 ? "hardly more" : number(slower) + " times the") + " time";
+  return "Double takes " + number(slower) + " times the time of float, and finds the depth " +
+         power(closer) + " times as exactly";
 }
 
 std::string result_of_max_points(Picture& plot) {
