@@ -92,7 +92,8 @@ HiddenLines::HiddenLines(const Camera& camera, const Occluders& occluders,
   for (const ConvexShadow& given : shadows) {
     const std::size_t begin = bounds_.size();
     bounds_.insert(bounds_.end(), given.bounds.begin(), given.bounds.end());
-    Shadow& shadow = put(begin, many_shadows ? given.around : std::vector<Point2>{}, given.depth);
+    const std::span<const Point2> corners = given.around;
+    Shadow& shadow = put(begin, many_shadows ? corners : corners.first(0), given.depth);
     shadow.sides = begin + given.sides;
     shadow.behind = given.behind;
     if (given.opaque && begin < bounds_.size()) shadow.opaque_body = given.body;
