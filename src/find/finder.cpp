@@ -113,11 +113,20 @@ Finder::Finder(Expression expression) : expression_(std::move(expression)) {
   }
 }
 
-void Finder::take(const std::vector<lint::Finding>& findings) {
-  for (const lint::Finding& finding : findings)
+std::vector<std::string> Finder::take(const std::vector<lint::Finding>& findings) {
+  std::vector<std::string> below;
+  for (const lint::Finding& finding : findings) {
+    const bool is_wanted = std::ranges::any_of(expression_.facts(), [&](auto& fact) {
+      return fact.side == "lint" && fact.quantity == finding.cause;
+    });
+    if (is_wanted && !finding.below.empty())
+      below.push_back("lint." + finding.cause + " leaves out " + std::to_string(finding.count) +
+                      " below the threshold of " + finding.below + "; --strict includes them");
     for (const lint::Mark& mark : finding.marks)
       if (lint::is_reported(finding) && !mark.a.empty())
         named_[mark.frame][std::minmax(mark.a, mark.b)].push_back(finding.cause);
+  }
+  return below;
 }
 
 double Finder::findings_about(const trace::Pair& pair, const std::string& cause) const {

@@ -54,8 +54,9 @@ class Finder {
   bool wants_ids() const { return wants_ids_; }
   bool wants_lint() const { return wants_lint_; }
   /// Before the first frame, if it wants them: all findings of the trace, with every mark. A pair that
-  /// one names is tried in that frame, also if it is not there.
-  void take(const std::vector<lint::Finding>& findings);
+  /// one names is tried in that frame, also if it is not there. Returns sentences about those that
+  /// it wants and that are below a threshold.
+  std::vector<std::string> take(const std::vector<lint::Finding>& findings);
   /// The hits of the next frame, in the order of its pairs.
   std::vector<Hit> next(trace::Frame frame);
 

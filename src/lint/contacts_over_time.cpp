@@ -351,11 +351,13 @@ class ContactsWatch final : public Watch {
       depth = here;
       depth->before = *before, depth->then = now;
     }
-    if (depth && !is_back && !known.depth) known.depth = depth;
+    // One that follows another is no jump that may be undone, but a wrong claim.
+    const bool is_first = depth && !is_back && !known.depth;
+    if (is_first) known.depth = depth;
     if (normal && !is_turned_back && !known.normal) known.normal = normal;
     if (normal && !is_turned_back)
       (*frames.explained)[&pair] = Explained::Wholly;
-    else if (depth && !is_back)
+    else if (is_first)
       frames.explained->try_emplace(&pair, Explained::ButForSigns);
   }
 

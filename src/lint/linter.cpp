@@ -55,10 +55,11 @@ int rank_of(const Finding& finding) {
                                                   : Approximate;
   if (is("overlap_without_contact")) return finding.is_severe ? severe : Small;
   if (is("pair_never_reported")) return finding.is_severe ? Flicker : Small;
-  constexpr double kSmall = 0.01;
-  if (finding.size < kSmall && is("margin_added", "margin_taken_off")) return Small;
-  if (!is_above(kPart) && is("points_twice", "ids_alike", "margin_added", "margin_taken_off",
-                             "half_depths", "depths_in_centimetres", "depths_in_millimetres"))
+  constexpr double kSmall = 0.01, kLarge = 0.03;
+  if (is("margin_added", "margin_taken_off") && (finding.size < kSmall || !is_above(kPart)))
+    return finding.size < kLarge ? Small : Edges;
+  if (!is_above(kPart) && is("points_twice", "ids_alike", "half_depths", "depths_in_centimetres",
+                             "depths_in_millimetres"))
     return Small;
   if (is("impulses_flicker")) return Impulses;
   if (is("normals_jump", "depths_jump")) return Jumps;

@@ -157,6 +157,36 @@ TEST(LintVerb, AKnownFindingIsNewWhenItIsMuchGrosser) {
   EXPECT_THAT(grosser.out, HasSubstr("[margin_added]"));
 }
 
+/// A finding below its threshold is new if it is clearly more frequent than in the file.
+TEST(LintVerb, AKnownFindingBelowItsThresholdIsNewWhenItIsMoreFrequent) {
+  const TemporaryFolder folder;
+  const std::string known = folder / "known.json";
+  // A crate at rest in 600 frames. In the last ones the reported depth creeps beyond the tolerance.
+  const auto trace = [&](int wrong) {
+    const std::string right = crate("0,1,0", "-0.02"), frame = right.substr(right.find('\n') + 1);
+    std::string text = right.substr(0, right.find('\n') + 1);
+    for (int f = 0; f < 600; ++f) {
+      nlohmann::json json = nlohmann::json::parse(frame);
+      json["frame"] = f, json["time"] = f / 60.0;
+      const double creep = 0.0015 * std::max(0, f - 595 + wrong);
+      for (auto& point : json["pairs"][0]["manifolds"][0]["points"])
+        point["separation"] = -0.02 - creep;
+      text += json.dump() + "\n";
+    }
+    return folder.write(std::to_string(wrong) + ".jsonl", text);
+  };
+  const ProgramRun few = run("lint --write-known '" + known + "' '" + trace(2) + "'");
+  EXPECT_EQ(few.exit_code, 0);
+  EXPECT_THAT(few.out, HasSubstr("below the threshold"));
+  EXPECT_EQ(run("lint --known '" + known + "' '" + trace(2) + "'").exit_code, 0);
+  EXPECT_EQ(run("lint --known '" + known + "' '" + trace(4) + "'").exit_code, 0);
+  const ProgramRun many = run("lint --known '" + known + "' '" + trace(9) + "'");
+  EXPECT_EQ(many.exit_code, 1);
+  EXPECT_THAT(many.out, HasSubstr("more often than " + known + " knows it, 10 of 600"));
+  // Without the file, it stays below.
+  EXPECT_EQ(run("lint '" + trace(9) + "'").exit_code, 0);
+}
+
 /// Findings can be ignored for a shape that is only in one of the files, or only in a later frame.
 TEST(LintVerb, IgnoredShapesMayBeInAnyFileAndFrame) {
   const TemporaryFolder folder;

@@ -297,6 +297,29 @@ TEST(LintFaults, ARareOneLikeOthersOfTheTraceStaysBelowTheThreshold) {
   EXPECT_EQ(named_in(findings), "");
 }
 
+/// Engines approximate now and then, and never by the same amount for long.
+TEST(LintFaults, APairThatIsOffByTheSameAmountForLongIsNamedHoweverRareItIs) {
+  const Trace clean = long_stack(80);
+  const Target target = targets(clean, 1).front();
+  for (const double varied : {0.0, 0.4}) {
+    Trace trace = clean;
+    for (int f = 1000; f < 1030; ++f)
+      for (trace::Pair& pair : at(trace.frames, f).pairs)
+        if (pair.a == target.a && pair.b == target.b)
+          for (trace::Manifold& manifold : pair.manifolds)
+            for (trace::Point& point : manifold.points)
+              point.separation -= 0.01 * (1 + varied * (f % 2));
+    const std::vector<Finding> findings = lint(trace);
+    const auto found = std::ranges::find(findings, "separation", &Finding::cause);
+    ASSERT_EQ(found == findings.end(), varied > 0) << named_in(findings);
+    if (varied > 0) continue;
+    EXPECT_EQ(found, findings.begin()) << named_in(findings);
+    EXPECT_EQ(found->frame, 1000);
+    EXPECT_GE(found->count, 29);  // the first one is a jump too
+    EXPECT_EQ(std::set({found->a, found->b}), std::set({target.a, target.b}));
+  }
+}
+
 TEST(LintFaults, EveryOccurrenceInTheRequestedFramesIsMarked) {
   // So many that a sample would leave out most of them.
   Trace trace = long_stack();

@@ -72,7 +72,11 @@ find::Expression condition_of(const std::string& option, const std::string& text
 void keep_where(Sequence& sequence, Input& input, std::vector<View>& views,
                 const Options& options) {
   find::Finder finder(condition_of("--where", options.condition));
-  if (finder.wants_lint()) finder.take(lint_input(input, {.is_marked = [](int) { return true; }}));
+  if (finder.wants_lint()) {
+    lint::LintOptions to_lint = linter_options(options);
+    to_lint.is_marked = [](int) { return true; };
+    finder.take(lint_input(input, to_lint));
+  }
   using Name = std::tuple<std::string, std::string, std::string>;
   std::map<int, std::set<Name>> found;
   const auto numbers =

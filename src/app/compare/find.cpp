@@ -78,7 +78,10 @@ ExitCode run_find(const Options& options) {
                  finder.wants_lint() ? TraceFile::Passes::Several : TraceFile::Passes::One);
   if (finder.wants_lint()) {
     const auto& only = options.frames;
-    finder.take(lint_trace(file, {.is_marked = [&](int f) { return !only || only->names(f); }}));
+    lint::LintOptions to_lint = linter_options(options);
+    to_lint.is_marked = [&](int frame) { return !only || only->names(frame); };
+    for (const std::string& below : finder.take(lint_trace(file, to_lint)))
+      std::cerr << "note: " << below << '\n';
     file.rewind();
   }
   Workers workers(hardware_threads());
