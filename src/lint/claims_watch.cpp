@@ -10,8 +10,7 @@ constexpr int kTried = 1000;
 /// A few small errors are approximations of engines: leaning capsules, cut corners, points kept
 /// while bodies turn. Report errors only at this frequency, or beyond this many tolerances.
 constexpr double kOften = 0.02, kGross = 15, kSevere = 40;
-/// No engine approximates by the same amount for so many frames, beyond this many tolerances.
-constexpr int kSteadyFrames = 8;
+/// No engine approximates by the same amount for long, beyond this many tolerances.
 constexpr double kSteady = 5;
 constexpr const char* kFewAndSmall = "2 % or 15 tolerances";
 constexpr double kFewLeft = 0.25;
@@ -128,7 +127,7 @@ class ClaimsWatch final : public Watch {
     wrong.beyond = verdict->beyond > 0;
     wrong.grossly_beyond = wrong.beyond && !(verdict->farthest <= kGross * verdict->allowed);
     put_in_words(pair, wrong);
-    see_steady(wrong, *verdict);
+    if (std::abs(wrong.deeper) > kSteady * verdict->tolerance) steady_.see(wrong);
     Reading flipped;
     flipped.normals_flipped = true;
     const std::vector<Explanation>& all = explanations();
@@ -164,22 +163,6 @@ class ClaimsWatch final : public Watch {
     wrong_.add(std::move(wrong), options_.is_marked && options_.is_marked(frames.now->frame));
   }
 
-  /// Finds a pair that is off by the same amount from frame to frame, and makes `wrong` the first of
-  /// these.
-  void see_steady(WrongPair& wrong, const Verdict& verdict) {
-    if (!(std::abs(wrong.deeper) > kSteady * verdict.tolerance)) return;
-    auto& [first, last, times] = steady_[{wrong.a, wrong.b}];
-    const bool is_same = std::abs(wrong.deeper - first.deeper) <= 0.1 * std::abs(first.deeper);
-    if (times == 0 || !is_same || wrong.frame > last + 2) first = wrong, times = 0;
-    last = wrong.frame;
-    if (++times != kSteadyFrames) return;
-    const Mark own{wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at};
-    wrong = first;
-    wrong.others.push_back(own);
-    wrong.gross = wrong.severe = true;
-    wrong.grossly_beyond = wrong.beyond;
-  }
-
   /// The wrong pairs that fit and are not reported yet; without a place if there are none. Those
   /// within the user's tolerance take part in the search of causes, but are not counted.
   template <class Fits>
@@ -197,8 +180,8 @@ class ClaimsWatch final : public Watch {
       if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
       if (!wrong.beyond) continue;
       finding.count += wrong.times;
-      add_mark(marks, {wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
-      for (const Mark& other : wrong.others) add_mark(marks, other, &options_);
+      marks.add({wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
+      for (const Mark& other : wrong.others) marks.add(other, &options_);
       if (wrong.grossly_beyond) finding.gross = std::max(finding.gross, wrong.size);
     }
     is_enough_ = is_enough_ || first == nullptr || all_gathered_ >= kOften * judged_;
@@ -208,7 +191,7 @@ class ClaimsWatch final : public Watch {
     finding.a = first->a, finding.b = first->b;
     finding.said = first->said, finding.is = first->is;
     finding.size = first->size;
-    finding.marks = marks.kept();
+    marks.put_in(finding);
     std::ranges::stable_sort(finding.marks, {}, &Mark::frame);
     if (finding.gross == 0 && finding.count < kOften * judged_) finding.below = kFewAndSmall;
     return finding;
@@ -442,11 +425,7 @@ class ClaimsWatch final : public Watch {
   std::map<std::string, double> size_of_;
   std::map<Names, int> judged_in_;  // by pair
   std::map<Names, Types> types_in_;
-  struct Steady {
-    WrongPair first{};
-    int last = 0, times = 0;
-  };
-  std::map<Names, Steady> steady_;
+  SteadyErrors steady_;
   std::set<std::string> moved_;  // shapes that did not stand still in some frame
   WrongPairs wrong_;
   int rounded_ = 0;  // pairs that fit rounded edges alone

@@ -186,6 +186,7 @@ std::vector<Finding> Linter::findings() {
     if (state_->options.strict) finding.below.clear();
     if (finding.marks.empty() && finding.line > 0)
       finding.marks.push_back({finding.frame, finding.line, finding.a, finding.b});
+    if (finding.frames.empty()) finding.frames = mapped(finding.marks, &Mark::frame);
   }
   std::ranges::stable_sort(all, {}, [](const Finding& finding) {
     const int rank = rank_of(finding);

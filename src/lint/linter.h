@@ -28,6 +28,7 @@ struct Finding {
   std::string said{}, is{};   // "separation -0.02", "the surfaces are 0.04 m apart"
   std::vector<Mark> marks{};  // in the order of frames; of many, an evenly spaced subset, unless
                               // LintOptions::is_marked chooses the frames
+  std::vector<int> frames{};  // in which it occurs; of many, an evenly spaced subset
   /// The threshold that it does not reach: "2 % of them, or 15 tolerances". Empty: it is reported.
   std::string below{};
   bool is_hint = false;    // no fault, but worth knowing

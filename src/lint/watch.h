@@ -67,11 +67,20 @@ template <class T, std::size_t kMax> class Thinned {
   std::size_t count_ = 0, every_ = 1;
 };
 
-using Marks = Thinned<Mark, 1000>;
-inline void add_mark(Marks& marks, Mark mark, const LintOptions* options) {
-  const bool always = options != nullptr && options->is_marked;
-  if (!always || options->is_marked(mark.frame)) marks.add(std::move(mark), always);
-}
+/// The marks of a finding, and the frames of all of them.
+struct Marks {
+  void add(Mark mark, const LintOptions* options) {
+    frames.add(mark.frame);
+    const bool always = options != nullptr && options->is_marked;
+    if (!always || options->is_marked(mark.frame)) marks.add(std::move(mark), always);
+  }
+  void put_in(Finding& finding) const {
+    finding.marks = marks.kept(), finding.frames = frames.kept();
+  }
+
+  Thinned<Mark, 1000> marks;
+  Thinned<int, 1000> frames;
+};
 
 /// Counts occurrences of one problem among all cases, and keeps the first of each pair, and the worst.
 struct Tally {
@@ -112,7 +121,7 @@ struct Tally {
       if (is_worst) worst = one, worst.gross = size;
     }
     ++count;
-    add_mark(marks, std::move(mark), frames.options);
+    marks.add(std::move(mark), frames.options);
   }
   template <class Words>
   void wrong(const Moments& frames, const std::string& a, const std::string& b, const Words& words,
@@ -142,7 +151,7 @@ struct Tally {
     finding.count = count;
     finding.of = of;
     finding.cases = cases;
-    finding.marks = marks.kept();
+    marks.put_in(finding);
     if (is_rare && gross == 0)
       finding.below = shown(100 * share) + " %";
     else if (count < least)

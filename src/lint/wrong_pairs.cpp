@@ -8,6 +8,7 @@ namespace {
 /// Pairs kept individually. With the distinct later ones they take some megabytes.
 constexpr std::size_t kWhole = 4000;
 constexpr std::size_t kMax = 2 * kWhole;
+constexpr int kSteadyFrames = 8;
 /// Depths and scales within this factor are the same.
 constexpr double kSame = 1.05;
 
@@ -68,6 +69,19 @@ void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
       wrong.is = "the separation of the shapes along the normal is " + metres(problem.is);
       break;
   }
+}
+
+void SteadyErrors::see(WrongPair& wrong) {
+  auto& [first, last, times] = runs_[{wrong.a, wrong.b}];
+  const bool is_same = std::abs(wrong.deeper - first.deeper) <= 0.1 * std::abs(first.deeper);
+  if (times == 0 || !is_same || wrong.frame > last + 2) first = wrong, times = 0;
+  last = wrong.frame;
+  if (++times != kSteadyFrames) return;
+  const Mark own{wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at};
+  wrong = first;
+  wrong.others.push_back(own);
+  wrong.gross = wrong.severe = true;
+  wrong.grossly_beyond = wrong.beyond;
 }
 
 void WrongPairs::add(WrongPair pair, bool is_marked) {

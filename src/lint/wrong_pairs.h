@@ -35,6 +35,20 @@ struct WrongPair {
   std::vector<Mark> others{};  // of these, if all are marked
 };
 
+/// Pairs whose points are all off by the same amount for 8 frames or more: no approximation.
+class SteadyErrors {
+ public:
+  /// Makes the last of these the first one, as severe.
+  void see(WrongPair& wrong);
+
+ private:
+  struct Run {
+    WrongPair first{};
+    int last = 0, times = 0;  // frame, and number of frames
+  };
+  std::map<std::pair<std::string, std::string>, Run> runs_;
+};
+
 /// The finding of wrong claims of a kind that nothing explains (causes.cpp).
 struct Words {
   const char *cause, *what, *remedy;

@@ -47,6 +47,8 @@ struct Fault {
   int count = 0, of = 0;        // occurrences, out of this many; 0: not counted
   int first = 0;                // frame
   std::vector<Place> places{};  // in the frames that are drawn
+  std::vector<int> frames{};    // in which it occurs; of many a sample
+  std::string detail{};         // of its first place: what is reported there, and what is
   bool is_condition = false;
 };
 

@@ -477,6 +477,58 @@ TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
     }
 }
 
+/// A finding has a line of time with a tick for each frame, and words about its first place.
+TEST(HeapPanels, LintShowsWhenEachFindingOccurs) {
+  Heap heap(6);
+  heap.frames.resize(40, heap.frames[0]);
+  for (int f = 0; f < 40; ++f) {
+    heap.frames[static_cast<std::size_t>(f)].frame = f;
+    heap.frames[static_cast<std::size_t>(f)].time = f / 10.0;
+  }
+  heap.view.panels = {Panel::Lint};
+  heap.view.faults = {{"pairs_flicker", 3, 40, 30, {{30, "crate_3", "crate_9"}}}};
+  heap.view.faults[0].frames = {10, 20, 30};
+  heap.view.faults[0].detail = "0 points; the separation there is 0";
+  const Staging staging = heap.staged();
+  const auto panels = make_panels(staging, heap.frames);
+  for (const std::size_t frame : {30, 5}) {
+    Drawing drawing;
+    Sheet sheet({900, 80, 332, 600}, 1, drawing);
+    panels.at(0).content->lay_out({frame, {}}, sheet);
+    const std::vector<std::string> texts = words(drawing);
+    EXPECT_THAT(texts, ::testing::IsSupersetOf({"0", "time", "3.90 s"}));
+    const std::string detail = "!1: 0 points; the separation there is 0";
+    EXPECT_EQ(std::ranges::count(texts, detail), frame == 30 ? 1 : 0);
+    std::vector<double> ticks;
+    for (const Primitive& primitive : drawing.primitives)
+      if (const auto* const fill = std::get_if<Fill>(&primitive); fill && fill->color == kText)
+        ticks.push_back(std::ranges::min_element(fill->polygon, {}, &Point2::x)->x);
+    const double column = 332 / 40.0;
+    EXPECT_THAT(ticks,
+                ::testing::Pointwise(::testing::DoubleNear(1),
+                                     {900 + 10 * column, 900 + 20 * column, 900 + 30 * column}));
+  }
+}
+
+/// With a condition only the points of its pairs are drawn.
+TEST(HeapPanels, APictureOfAConditionHasThePointsOfItsPairsAlone) {
+  Heap heap(6);
+  const auto points = [&] {
+    std::set<std::string> pairs;
+    const Drawing drawing = illustrate(heap.staged(), heap.frames[0]);
+    for (const Part& part : drawing.parts)
+      if (part.layer == "contacts") pairs.insert(part.pair);
+    return pairs;
+  };
+  EXPECT_EQ(points().size(), 36u);
+  heap.view.faults = {
+      {"overlap > 5 mm", 2, 0, 0, {{0, "floor", "crate_1"}, {0, "floor", "crate_5"}}}};
+  heap.view.faults[0].is_condition = true;
+  EXPECT_THAT(points(),
+              ::testing::IsSubsetOf({"floor crate_1", "floor crate_5", "floor crate_31"}));
+  EXPECT_THAT(points(), ::testing::IsSupersetOf({"floor crate_1", "floor crate_5"}));
+}
+
 TEST(HeapPanels, LintCountsTheFindingsForWhichThereIsNoRoom) {
   Heap heap(6);
   heap.view.faults.assign(99, {"normals_jump", 1, 36, 7, {}});

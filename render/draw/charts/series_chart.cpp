@@ -55,7 +55,12 @@ struct ChartPen : Pen {
     if (chart.high > 0) tick(round_down(chart.high));
     if (chart.low < 0) tick(-round_down(-chart.low));
     for (const SeriesChart::Change& change : chart.changes) draw_change(change);
-    for (std::size_t i = 0; i < chart.curves.size(); ++i) curve(chart.curves[i], style(i));
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+      const SeriesStyle own = style(i);
+      if (chart.ahead)
+        curve(chart.curves[i], {with_alpha(own.color, 0.4f), own.dash}, moment, frames);
+      curve(chart.curves[i], own, 0, moment + 1);
+    }
     draw_moment(area, frames, moment, *this);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
       const double newest = chart.curves[i][moment];
@@ -108,13 +113,14 @@ struct ChartPen : Pen {
     text(change.after, low + Point2{px(5), -px(5)}, Align::Left, kAxisText);
   }
 
-  void curve(const std::vector<double>& values, const SeriesStyle& style) const {
+  void curve(const std::vector<double>& values, const SeriesStyle& style, std::size_t from,
+             std::size_t end) const {
     std::vector<Point2> points;
     const auto finish = [&] {
       path(points, 2.2, style.color, style.dash);
       points.clear();
     };
-    for (std::size_t f = 0; f <= moment && f < values.size(); ++f) {
+    for (std::size_t f = from; f < std::min(end, values.size()); ++f) {
       if (std::isnan(values[f])) {
         finish();
         continue;

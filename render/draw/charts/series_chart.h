@@ -26,6 +26,7 @@ struct SeriesChart {
   std::string unit;                           // "m", with a suitable prefix; empty: a plain number
   std::vector<std::vector<double>> curves{};  // one value per frame of the sequence, NaN: none
   bool steps = false;                         // integers: drawn as stairs
+  bool ahead = false;                         // what follows the drawn frame is drawn, pale
   bool baseline = false;                      // values may be negative: strong zero line
   std::vector<Change> changes{};
   bool total = false;  // a single total, in the text colour, next to charts with several curves
@@ -43,7 +44,7 @@ inline constexpr double kChartGutter = 46;
 /// Area for the curves in `rect`, without the ticks and `heading` pixels at 720 lines.
 Rect chart_area(const Rect& rect, double heading, const Pen& pen);
 
-/// Draws frames 0 to `moment` on an axis for all frames. `rect` includes gutter and heading.
+/// Draws frames 0 to `moment`, or all, on an axis for all frames. `rect` includes gutter and heading.
 void draw_series_chart(const SeriesChart& chart, std::size_t moment, const Rect& rect,
                        const Pen& pen);
 

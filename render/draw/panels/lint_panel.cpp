@@ -1,3 +1,4 @@
+#include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
@@ -11,6 +12,9 @@ constexpr std::size_t kRows = 16, kRowsAboveRankings = 11;
 constexpr std::size_t kOfFault = 3;  // places of a fault that are listed
 constexpr LineStyle kFaultOutline{1.8f, kText, true};
 
+constexpr std::size_t kNotTimes = 3;  // rows for the axis of time and two places
+// Height of a finding's time, in rows, and from there to its places and to the next finding.
+constexpr double kStrip = 0.4, kBelowStrip = 0.6, kBetween = 0.4;
 constexpr double kMuchLarger = 4;  // than the smallest body: no outline
 
 constexpr Swatch kFaultSwatch{LegendGroup::Points, 12, [](auto& pen) { pen.dot(5.6, 7.4, kText); }};
@@ -49,12 +53,21 @@ struct InFrame {
 std::size_t rows_in(const View& view) {
   return view.shows(Panel::Worst) ? kRowsAboveRankings : kRows;
 }
+/// The number of findings with a row for their time.
+std::size_t times_in(const View& view) {
+  const bool over_time = std::ranges::any_of(view.faults, [](const Fault& fault) {
+    return !fault.frames.empty() && fault.frames.front() != fault.frames.back();
+  });
+  if (!over_time) return 0;
+  const std::size_t taken = view.faults.size() + kNotTimes;
+  return std::min(view.faults.size(), rows_in(view) - std::min(rows_in(view), taken));
+}
 
 std::vector<InFrame> faults_in(const View& view, int frame) {
   std::vector<InFrame> all;
   // Each fault has a row for its cause; the first ones share the others.
-  const std::size_t rows = rows_in(view);
-  std::size_t room = rows - std::min(rows, view.faults.size());
+  const std::size_t rows = rows_in(view), times = times_in(view);
+  std::size_t room = rows - std::min(rows, view.faults.size() + times + (times > 0 ? 1 : 0));
   for (const Fault& fault : view.faults) {
     InFrame here{&fault};
     if (!all.empty()) here.before = all.back().before + all.back().listed();
@@ -82,7 +95,8 @@ class LintPanel : public PanelContent {
       return Sheet::heading_height(scale_) + static_cast<float>(rows) * Sheet::line_height(scale_);
     };
     const std::size_t rows =
-        std::min(rows_in(staging_.view), by_overlap_ + 5 * staging_.view.faults.size());
+        std::min(rows_in(staging_.view), by_overlap_ + 5 * staging_.view.faults.size() +
+                                             (times_ > 0 ? times_ + kNotTimes : 0));
     return {high(rows), high(rows), high(rows), 0};
   }
 
@@ -117,19 +131,51 @@ class LintPanel : public PanelContent {
           (fault.of > 0 ? spell_count(fault.count) + " of " + spell_count(fault.of)
                         : counted(static_cast<std::size_t>(fault.count), "time", "times")) +
               (one.places.empty() ? ", frame " + std::to_string(fault.first) : ""));
+      const bool has_time = faults.size() - left < times_;
+      if (has_time) draw_times(fault, moment.frame, sheet);
       for (std::size_t i = 0; i < one.listed(); ++i) {
         const Fault::Place& place = *one.places[i];
         row(one.number(i) + "  " + name_in_words(place.a) +
             (place.b.empty() ? "" : " and " + name_in_words(place.b)));
       }
-      if (!one.counts_others()) continue;
-      const std::string noun = one.places.front()->b.empty() ? "more shape" : "more pair";
-      row("and " + counted(one.places.size() - one.listed(), noun, noun + "s"));
+      if (one.counts_others()) {
+        const std::string noun = one.places.front()->b.empty() ? "more shape" : "more pair";
+        row("and " + counted(one.places.size() - one.listed(), noun, noun + "s"));
+      }
+      if (has_time) sheet.skip(static_cast<float>(kBetween * height));
     }
+    if (times_ > 0) {
+      const Rect rest = sheet.rest();
+      draw_time_axis(frames_, rest.x, rest.width, rest.y + 0.6 * height, sheet.pen());
+      sheet.skip_to(rest.y + height);
+    }
+    const Fault* const first = faults.empty() ? nullptr : faults[0].fault;
+    if (first == nullptr || first->first != frames_[moment.frame].frame) return {};
+    const std::string detail = "!1: " + first->detail;
+    const auto lines = wrapped(detail, sheet.text_height(), float(sheet.rest().width));
+    if (!first->detail.empty() && double(lines.size()) * height <= sheet.rest().height)
+      sheet.paragraph(detail, kQuietText);
     return {};
   }
 
  private:
+  /// The frames in which it occurs, on a line of time.
+  void draw_times(const Fault& fault, std::size_t moment, Sheet& sheet) const {
+    const Pen& pen = sheet.pen();
+    const Rect rest = sheet.rest();
+    const Rect strip{rest.x, rest.y, rest.width, kStrip * sheet.line_height()};
+    pen.fill(strip, with_alpha(kQuietText, 0.12f));
+    const double first = frames_.front().frame, all = frames_.back().frame - first + 1;
+    const double width = std::max<double>(strip.width / all, pen.px(1.5));
+    for (const int frame : fault.frames)
+      if (frame >= first)
+        pen.fill({strip.x + strip.width * (frame - first) / all, strip.y, width, strip.height},
+                 kText);
+    draw_moment(strip, frames_.size(), moment, pen);
+    sheet.skip_to(rest.y + kBelowStrip * sheet.line_height());
+  }
+
+  const std::size_t times_ = times_in(staging_.view);
   /// Whether lint has nothing to focus on.
   const bool by_overlap_ = staging_.view.focus == Focus::Worst && !staging_.view.first_fault();
 };

@@ -118,6 +118,7 @@ class PlotsPanel : public PanelContent {
       if (!view.shows(kind) || chart->curves.empty() || chart->curves[0].empty()) continue;
       if (chart == &points && same_points && frames_.size() > 1) continue;
       chart->fit();
+      chart->ahead = staging_.scales.heap;
       charts_.push_back(std::move(*chart));
     }
   }

@@ -158,8 +158,15 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
     const Vec3d before = at + metres * scene.camera.to_eye(at).normalized();
     return bodies.split(before, before).front().hidden;
   };
+  const auto condition = std::ranges::find_if(scene.view.faults, &Fault::is_condition);
+  const auto is_left_out = [&](const trace::Pair& pair) {
+    return condition != scene.view.faults.end() &&
+           std::ranges::none_of(condition->places, [&](const Fault::Place& place) {
+             return place.frame == scene.frame.frame && place.a == pair.a && place.b == pair.b;
+           });
+  };
   for (const trace::Pair& pair : scene.frame.pairs) {
-    if (pair.manifolds.empty()) continue;
+    if (pair.manifolds.empty() || is_left_out(pair)) continue;
     sketch.begin(name_of(Layer::Contacts), pair.a + " " + pair.b);
     for (const PairPoint& kept : kept_points(pair)) {
       const Vec3d& at = kept.point->position;

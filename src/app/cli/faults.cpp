@@ -135,6 +135,8 @@ std::string add_faults(const Input& input, const std::vector<int>& drawn, const 
   for (const lint::Finding& one : lint_input(input, to_lint)) {
     if (!lint::is_reported(one)) continue;
     Fault& fault = faults.emplace_back(Fault{one.cause, one.count, one.of, one.frame});
+    fault.frames = one.frames;
+    if (!one.said.empty()) fault.detail = one.said + "; " + one.is;
     for (const lint::Mark& mark : one.marks)
       if (is_drawn(mark.frame) && is_of_pair(mark.a, mark.b))
         fault.places.push_back({mark.frame, mark.a, mark.b, mark.at});

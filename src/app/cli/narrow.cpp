@@ -41,8 +41,10 @@ std::optional<Focus> word_in_focus(const Options& options) {
 }
 
 void show_lint(View& view, const Options& options) {
-  if (!options.panels && !view.shows(Panel::Lint) && view.kind == ViewKind::Scene)
-    view.panels.insert(view.panels.begin(), Panel::Lint);
+  if (options.panels || view.kind != ViewKind::Scene) return;
+  // Of the pairs for which a condition holds, the panel `lint` lists as many as there is room for.
+  if (!options.condition.empty()) std::erase(view.panels, Panel::Worst);
+  if (!view.shows(Panel::Lint)) view.panels.insert(view.panels.begin(), Panel::Lint);
 }
 
 /// Number of items that a layer added to a picture.
@@ -90,6 +92,7 @@ void keep_where(Sequence& sequence, Input& input, std::vector<View>& views,
     Fault marked{options.condition};
     for (const auto& [frame, names] : found)
       for (const auto& [a, b, label] : names) marked.places.push_back({frame, a, b});
+    for (const auto& [frame, names] : found) marked.frames.push_back(frame);
     marked.count = count_of(marked.places);
     marked.is_condition = true;
     const auto is_elsewhere = [&](const Fault::Place& place) {

@@ -66,12 +66,12 @@ std::string title_of(const trace::Header& header) {
          engine + "{kept:point}, no overlap | " + engine + "nothing touches";
 }
 
-/// Title of a finding, instead of the default one: "Bullet 3.24: contacts of a pair vanish and return
-/// (rock 7 and rock 71)".
+/// Title of a finding, or of a condition without a place, instead of the default one: "Bullet 3.24:
+/// contacts of a pair vanish and return (rock 7 and rock 71)".
 std::string title_of(const trace::Header& header, const std::string& finding,
                      const Fault::Place& place) {
   std::string text = header.engine + (header.version.empty() ? ": " : " " + header.version + ": ");
-  if (finding.find("'" + place.a + "'") != std::string::npos)
+  if (place.a.empty() || finding.find("'" + place.a + "'") != std::string::npos)
     text += finding;
   else
     text += finding.substr(0, finding.find(", ")) + " (" + name_in_words(place.a) +
@@ -89,7 +89,10 @@ Sequence sequence_of(Input& input, std::vector<View>& views, bool every_stage,
     sequence = std::move(*input.trace);
     // Traces of this program may have an empty title on purpose.
     if (sequence.header.title.empty() && !sequence.header.engine.empty())
-      sequence.header.title = title_of(sequence.header);
+      sequence.header.title =
+          options.condition.empty()
+              ? title_of(sequence.header)
+              : title_of(sequence.header, "pairs with " + options.condition, {});
     log.left_out(input.scenario.name + ": the pipeline, because a trace is drawn as it is");
   } else {
     trace::Stages stages = draw::stages_shown(views);
