@@ -77,6 +77,7 @@ struct View {
   /// Charts of the panels plots and stability; default: all for which the sequence has values.
   std::optional<std::vector<Chart>> charts;
   std::vector<Fault> faults{};  // for the panel lint and Focus::Worst
+  bool ignores_faults = false;  // others may be left out, by --ignore
 
   bool shows(Layer layer) const { return std::ranges::find(layers, layer) != layers.end(); }
   bool shows(Panel panel) const { return std::ranges::find(panels, panel) != panels.end(); }

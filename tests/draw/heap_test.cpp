@@ -444,6 +444,8 @@ TEST(HeapFocus, APairHasItsWholeNames) {
 TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
   Heap heap(6);
   EXPECT_THAT(panel_texts(heap, Panel::Lint), testing::ElementsAre("lint: nothing is wrong"));
+  heap.view.ignores_faults = true;
+  EXPECT_THAT(panel_texts(heap, Panel::Lint), testing::ElementsAre("lint: nothing else is wrong"));
   heap.throw_off(9, {0.4, 0.9, 0.1});
   heap.throw_off(24, {5, -1e9, 1});  // not in view
   const auto on_floor = [](int frame, int crate) {

@@ -104,7 +104,9 @@ class LintPanel : public PanelContent {
     const std::vector<InFrame> faults = faults_in(staging_.view, frames_[moment.frame].frame);
     const auto conditions = std::ranges::count_if(staging_.view.faults, &Fault::is_condition);
     const std::size_t findings = faults.size() - static_cast<std::size_t>(conditions);
-    sheet.heading(faults.empty()  ? "lint: nothing is wrong"
+    const bool ignores = staging_.view.ignores_faults;
+    sheet.heading(faults.empty()
+                      ? ignores ? "lint: nothing else is wrong" : "lint: nothing is wrong"
                   : findings == 0 ? "pairs for which the condition holds"
                                   : "lint: " + counted(findings, "finding", "findings"));
     const auto height = static_cast<double>(sheet.line_height());

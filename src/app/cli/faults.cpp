@@ -146,7 +146,7 @@ std::string add_faults(const Input& input, const std::vector<int>& drawn, const 
     });
   }
   for (View& view : views)
-    if (has_faults(view)) view.faults = faults;
+    if (has_faults(view)) view.faults = faults, view.ignores_faults = !options.ignored.empty();
   return first;
 }
 

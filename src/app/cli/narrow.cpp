@@ -130,9 +130,12 @@ std::function<bool(const trace::Pair&)> chosen_pair(const trace::Header& header,
 }
 
 void narrow(Sequence& sequence, const Options& options) {
-  if (!word_in_focus(options))
-    for (const std::string& name : options.focus)
-      require_shape(names_in(sequence.header.shapes), "--focus", name);
+  if (!word_in_focus(options)) {
+    std::vector<std::string_view> names = names_in(sequence.header.shapes);
+    if (options.focus.size() == 1)
+      names.insert(names.end(), kFocusNames.begin(), kFocusNames.end());
+    for (const std::string& name : options.focus) require_shape(names, "--focus", name);
+  }
   if (options.pair.empty() && options.shapes.empty()) return;
   const auto is_pair = chosen_pair(sequence.header, options);
   std::set<std::string> shown(options.shapes.begin(), options.shapes.end());
