@@ -260,7 +260,7 @@ Drawing illustrate(const Staging& staging, const trace::Frame& frame) {
     draw_shape_names(*shot.scene, *sketch);
     compose(*sketch, camera, shot.layout, drawing);
     if (shot.viewport != nullptr)
-      draw_viewport_frame(*shot.viewport, frame, staging.layout, drawing);
+      draw_viewport_frame(*shot.viewport, staging.view, frame, staging.layout, drawing);
     const auto middle = staging.magnifier ? magnified_middle(staging.view, frame) : std::nullopt;
     if (middle) {
       // Exaggeration for the view may not be necessary in the magnifier.

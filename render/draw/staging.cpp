@@ -314,10 +314,10 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
               const FittedFrames* fitted) {
   View view = requested;
   std::vector<Panel> insets = take_insets(view);
-  // Without a picture of the scene, a story of the difference shows two steps side by side.
-  const bool has_two_steps =
+  // Without a picture of the scene, a story of the difference has all the room, for one or two steps.
+  const bool is_alone =
       view.layers.empty() && view.story != Story::None && insets == std::vector{Panel::Minkowski};
-  if (has_two_steps) insets.push_back(Panel::Minkowski);
+  if (is_alone && !view.inset) insets.push_back(Panel::Minkowski);
   ShapeMeshes meshes(header.shapes);
   const std::vector<trace::Frame>& to_fit = fitted != nullptr ? fitted->frames : frames;
   if (view.focus == Focus::Deepest || view.focus == Focus::Worst) {
@@ -331,10 +331,10 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     return fit_camera(header, extent, view, viewport, !cast.subject.empty());
   };
   const auto layout = [&](const std::vector<std::vector<float>>& widths) {
-    Layout made = make_layout(width, height, !view.panels.empty(), widths,
-                              has_two_steps ? 1 : count_of(insets), style,
-                              plain_title(view.title.value_or(header.title)));
-    if (has_two_steps) made.insets.insert(made.insets.begin(), made.view);
+    Layout made =
+        make_layout(width, height, !view.panels.empty(), widths, count_of(insets) - is_alone, style,
+                    plain_title(view.title.value_or(header.title)));
+    if (is_alone) made.insets.insert(made.insets.begin(), made.view);
     // Without a picture of the scene the panels have all the room.
     if (view.layers.empty() && !view.panels.empty() && !style.follows())
       made.panels = {made.page.x, made.view.y, made.page.width, made.view.height};

@@ -83,10 +83,16 @@ Rect cell_of(std::size_t i, std::size_t count, const Layout& layout) {
   return layout.view.cell(i, columns, rows, gap, gap);
 }
 
+std::string label_with_steps(const trace::Pair& pair) {
+  return pair.label + ": " + counted(static_cast<std::size_t>(pair.gjk->iterations), "step");
+}
+
 /// The name of a stage, and its result in this frame.
 std::string stage_heading(Layer layer, const trace::Frame& frame) {
   std::size_t touching = 0, points = 0;
+  std::vector<std::string> steps;  // of GJK
   for (const trace::Pair& pair : frame.pairs) {
+    if (pair.gjk && !pair.label.empty()) steps.push_back(label_with_steps(pair));
     touching += !pair.manifolds.empty();
     points += all_points(pair).size();
   }
@@ -99,6 +105,7 @@ std::string stage_heading(Layer layer, const trace::Frame& frame) {
     return "narrow phase: contacts, " + counted(touching, "pair touches", "pairs touch") + " at " +
            counted(points, "point", "points");
   if (layer == Layer::Impulses) return "solver: an impulse at each point";
+  if (layer == Layer::Simplex) return "simplex: " + separated(steps, "; ");
   return in_words(name_of(layer));
 }
 
@@ -176,18 +183,21 @@ trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport) {
   return part;
 }
 
-void draw_viewport_frame(const PairViewport& viewport, const trace::Frame& frame,
+void draw_viewport_frame(const PairViewport& viewport, const View& view, const trace::Frame& frame,
                          const Layout& layout, Drawing& drawing) {
-  const auto pair = std::ranges::find_if(
-      frame.pairs, [&](const trace::Pair& each) { return shows_pair(viewport, each); });
-  const bool answers = pair != frame.pairs.end() && !pair->label.empty() && pair->query &&
-                       !pair->query->bounds.empty();
+  const auto pair = std::ranges::find_if(frame.pairs, [&](const trace::Pair& each) {
+    return shows_pair(viewport, each) && !each.label.empty();
+  });
+  const bool found = pair != frame.pairs.end();
+  const bool answers = found && pair->query && !pair->query->bounds.empty();
+  const bool steps = found && pair->gjk && view.shows(Layer::Simplex);
   const Pen pen(drawing, layout.scale, kViewportHeading);
   pen.frame(viewport.frame, 1, with_alpha(kQuietText, 0.5f));
   const float padding = pen.px(8), size = pen.px(kViewportHeading);
   const std::string number = viewport.view ? viewport.heading : "";
   Said heading = pen.fitted(answers         ? label_with_answer(*pair)
                             : viewport.view ? stage_heading(viewport.view->layers.back(), frame)
+                            : steps         ? label_with_steps(*pair)
                                             : viewport.heading,
                             Weight::Bold,
                             static_cast<float>(viewport.frame.width) - 2 * padding -

@@ -38,9 +38,9 @@ bool shows_pair(const PairViewport& viewport, const trace::Pair& pair);
 /// stage all.
 trace::Frame part_of(const trace::Frame& frame, const PairViewport& viewport);
 
-/// Draws border and heading; queries of bounds add their answer in this frame,
-/// and stages what they pass on.
-void draw_viewport_frame(const PairViewport& viewport, const trace::Frame& frame,
+/// Draws border and heading; queries of bounds add their answer in this frame, a simplex the steps of
+/// GJK, and stages what they pass on.
+void draw_viewport_frame(const PairViewport& viewport, const View& view, const trace::Frame& frame,
                          const Layout& layout, Drawing& drawing);
 
 struct Magnifier {

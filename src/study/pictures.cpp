@@ -232,8 +232,7 @@ const std::vector<PictureRow>& picture_rows() {
           "deeper pairs take longer",
           {.at = 32, .only_at = true}, &result_of_precision),
       row("distance", "pairs", kAll, kAll, "", "",
-          "Up: pairs of vertices, edges and faces that are compared, and steps of GJK; mean of "
-          "separated hulls",
+          "Up: microseconds of a call, mean of separated hulls. All pairs: of vertices, edges and faces",
           {.at = 128, .drop_worst = true}, &result_of_pairs),
       row("distance", "gains", kGains, kAll, "", "",
           "Up: improvement by a step / size of the pair. Two drums, nearly face to face",

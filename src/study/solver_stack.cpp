@@ -22,8 +22,8 @@ Vec3d static_place(const StackPlan& plan, std::size_t box) {
 class StandingStack {
  public:
   StandingStack(const StackPlan& plan, const SolverSettings& settings,
-                std::optional<int> max_points)
-      : plan_(plan), settings_(settings) {
+                std::optional<int> max_points, bool contacts_alone)
+      : plan_(plan), settings_(settings), contacts_alone_(contacts_alone) {
     settings_.slop = kStackSlop;
     settings_.speculative_margin = kStackMargin;
     if (max_points) {
@@ -58,10 +58,16 @@ class StandingStack {
 
   StackOutcome run(int frames) {
     StackOutcome outcome;
-    PassTimes times;
+    PassTimes times, others;
     const int rest_begins = std::max(1, frames - kRestFrames);
     for (; outcome.frames < frames; ++outcome.frames) {
-      times.measure(1, [&](int) {
+      World<float> copy = contacts_alone_ ? world_ : World<float>();
+      if (contacts_alone_)
+        times.measure(1, [&](int) {
+          find_contacts(copy, shapes_, settings_, contacts_, kFrame);
+          return static_cast<double>(contacts_.size());
+        });
+      (contacts_alone_ ? others : times).measure(1, [&](int) {
         step(world_, shapes_, settings_, kFrame, contacts_);
         note_ids();
         return static_cast<double>(world_.bodies.back().center.y());
@@ -162,6 +168,7 @@ class StandingStack {
 
   const StackPlan& plan_;
   SolverSettings settings_;
+  bool contacts_alone_;
   World<float> world_;
   std::vector<Shape<float>> shapes_;
   std::vector<Manifolds<float>> contacts_;
@@ -187,8 +194,8 @@ StackPlan stack_plan(std::mt19937_64& engine, int count, double ratio) {
 }
 
 StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames,
-                       std::optional<int> max_points) {
-  return StandingStack(plan, settings, max_points).run(frames);
+                       std::optional<int> max_points, bool contacts_alone) {
+  return StandingStack(plan, settings, max_points, contacts_alone).run(frames);
 }
 
 namespace {

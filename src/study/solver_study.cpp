@@ -104,7 +104,7 @@ class StackResults {
 
   /// Thread-safe.
   Measurement judge(int boxes, double ratio, const SolverMethod& method, int iterations,
-                    int substeps, std::optional<int> max_points = {}) {
+                    int substeps, std::optional<int> max_points = {}, bool contacts_alone = false) {
     SolverSettings settings;
     settings.position_correction = method.correction;
     settings.warm_start = method.warm_start;
@@ -114,8 +114,9 @@ class StackResults {
     Measurement measured(values_.size(), cases_);
     for (int i = 0; i < cases_; ++i) {
       std::mt19937_64 engine = case_engine(options_.seed, i, boxes, ratio);
-      const StackOutcome outcome = run_stack(stack_plan(engine, boxes, ratio), settings,
-                                             options_.frames.value_or(kStackFrames), max_points);
+      const StackOutcome outcome =
+          run_stack(stack_plan(engine, boxes, ratio), settings,
+                    options_.frames.value_or(kStackFrames), max_points, contacts_alone);
       {
         const std::lock_guard lock(counting_);
         ++faults_[static_cast<std::size_t>(outcome.fault)];
@@ -187,9 +188,13 @@ std::vector<trace::Study> by_points(const StudyOptions& options, const StudyStep
                       });
   for (const SolverMethod& method : kSolverMethods) {
     if (!method.warm_start) continue;
-    add_line(stacks.results, {method.name, {}}, kPointCounts, [&](int most) {
-      return stacks.judge(kPointBoxes, 1, method, method.map_iterations, method.map_substeps, most);
-    });
+    for (const bool contacts_alone : {false, true})
+      add_line(stacks.results,
+               {method.name + std::string(contacts_alone ? ", contacts alone" : ""), {}},
+               kPointCounts, [&](int most) {
+                 return stacks.judge(kPointBoxes, 1, method, method.map_iterations,
+                                     method.map_substeps, most, contacts_alone);
+               });
     step(std::string(method.name) + ", points kept");
   }
   return stacks.finished();
@@ -295,7 +300,7 @@ trace::Study energies(const StudyOptions& options, const StudyStep& step) {
 /// others' mass, at sixteen sweeps per frame for every method.
 ///
 /// "max_points": jitter of six equal boxes, of whose contacts the usual reducer keeps at most 1 to 8
-/// points; times are of a frame, contacts and reduction included.
+/// points; times are of a frame, contacts and reduction included, or of these alone.
 ///
 /// "energy": largest energy gain of any frame of a scene, over sub-steps, mean and worst of the
 /// twenty scenes of solver_stack.h; also for Baumgarte with its whole push kept as velocity.

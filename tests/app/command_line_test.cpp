@@ -315,7 +315,7 @@ TEST(List, EveryClaimOfTheSourcesIsShownByWhatExists) {
   for (const auto& study : listed["studies"]) studies.insert("study " + std::string(study["name"]));
   const std::string source = CONTACTSCOPE_SOURCE_DIR "/";
   int gaps = 0, shown = 0;
-  for (const std::string what : {"gregorius", "catto", "survey", "lecture", "course"}) {
+  for (const std::string what : {"gregorius", "catto", "survey", "lecture", "project", "course"}) {
     const auto rows = nlohmann::json::parse(run("list " + what + " --json").out)[what];
     EXPECT_GE(rows.size(), 16u) << what;
     for (const auto& row : rows) {

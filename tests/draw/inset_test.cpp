@@ -245,6 +245,42 @@ TEST(MinkowskiInset, AStepThatIsNotTheLastShowsWhatComesNext) {
   EXPECT_EQ(marks_of(picture.sketch, MarkKind::Hollow, kPolytope), 1u);
 }
 
+// Corner 4 is in the plane of 0, 5 and 1, and sees the face that cuts the cube.
+TEST(MinkowskiInset, FacesInThePlaneOfTheNextPointHaveTheirOwnColour) {
+  trace::Frame frame = two_cubes();
+  trace::Polytope& first = frame.pairs[0].penetration->polytopes[0];
+  first.vertices.push_back(corner(1));
+  first.faces.push_back({0, 1, 4});
+  View view = view_of({Panel::Minkowski}, Story::EpaSteps);
+  view.layers.clear();
+  const Sketch sketch = Staged({frame}, view).picture().sketch;
+  const auto is_blue = [](const Surface& surface) { return surface.color.r == kSidePlane.r; };
+  ASSERT_EQ(std::ranges::count_if(sketch.surfaces, is_blue), 1);
+  for (const Vec3d& place : std::ranges::find_if(sketch.surfaces, is_blue)->polygon)
+    EXPECT_NEAR(place.y(), -0.2, 1e-12);
+}
+
+// The next point is 1 µm under a triangle, seen edge-on.
+TEST(MinkowskiInset, AlonePanelMagnifiesAFlatTetrahedron) {
+  trace::Frame frame = two_cubes(1);
+  trace::Pair& pair = frame.pairs[0];
+  pair.penetration.reset();
+  const trace::Simplex triangle{corner(2), corner(3), corner(6)};  // the upper face, at 1.8 m
+  trace::SimplexVertex next = corner(7);
+  next.b.y() -= 1e-5;
+  pair.gjk =
+      trace::Gjk{"separated", 2, 1.8, {}, {}, {triangle, {corner(2), corner(3), corner(6), next}}};
+  View view = view_of({Panel::Minkowski}, Story::GjkSteps);
+  view.layers.clear();
+  const Staged alone({frame}, view);
+  ASSERT_EQ(alone.staging.insets.size(), 1u);
+  EXPECT_THAT(label_texts(alone.picture().sketch),
+              testing::Contains(testing::StartsWith("height 10.0 µm, drawn × ")));
+  view.inset = false;
+  const Staged two({frame}, view);
+  ASSERT_EQ(two.staging.insets.size(), 2u);
+}
+
 TEST(MinkowskiInset, ASimplexHasAnEdgeForEveryTwoVertices) {
   trace::Frame frame = two_cubes();
   frame.pairs[0].penetration.reset();

@@ -71,6 +71,19 @@ TEST(Stages, EachLayerHasItsViewportWithTheSameCamera) {
                              "2  narrow phase: contacts, 1 pair touches at 2 points"}));
 }
 
+TEST(Stages, ASimplexHasTheStepsOfEachLabelledPair) {
+  TwoCrates crates;
+  for (trace::Pair& pair : crates.frames[0].pairs)
+    pair.gjk.emplace().iterations = pair.label == "left" ? 1 : 4;
+  crates.view.layers = {Layer::Shapes, Layer::Simplex};
+  EXPECT_THAT(crate_sample::texts(illustrate(crates.staged(), crates.frames[0])),
+              testing::IsSupersetOf({"left: 1 step", "right: 4 steps"}));
+  crates.view.layout = ViewLayout::Stages;
+  crates.view.layers = {Layer::Shapes, Layer::Contacts, Layer::Simplex};
+  EXPECT_THAT(crate_sample::texts(illustrate(crates.staged(), crates.frames[0])),
+              testing::Contains(testing::EndsWith("simplex: left: 1 step; right: 4 steps")));
+}
+
 TEST(Stages, ASingleLayerIsNotDivided) {
   CrateOnSlab crate;
   crate.view.layout = ViewLayout::Stages;

@@ -178,8 +178,8 @@ struct ChoicePen : Pen {
     labels.push_back(area_label(from, to, point, spell_area(area)));
   }
 
-  /// The signed area of the fourth point with each edge, as in the talk, and its share of the
-  /// triangle's area: the barycentric coordinate of the corner across. Written in a free corner of
+  /// The signed area of the triangle of each edge and the fourth point, as in the talk, and its share of
+  /// the first triangle's area: the barycentric coordinate of the corner across. Written in a free corner of
   /// the map, if there is one.
   void signed_areas() {
     constexpr double kTableText = 15, kTableRow = 22, kColumn = 12, kInside = 4;  // pixels
@@ -190,7 +190,7 @@ struct ChoicePen : Pen {
     };
     const Vec2d corners[3] = {on_plane(0), on_plane(1), on_plane(2)}, point = on_plane(3);
     const double twice = contactscope::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    std::vector<Row> rows{{"edge e", "½ n · (e × f)", "barycentric", "−: clockwise"}};
+    std::vector<Row> rows{{"triangle", "signed area", "barycentric", "−: clockwise"}};
     for (std::size_t k = 0; k < 3; ++k) {
       // Along the edges counter-clockwise, as seen.
       const std::size_t next = (k + 1) % 3, first = twice > 0 ? k : next, last = k + next - first;
@@ -199,8 +199,8 @@ struct ChoicePen : Pen {
       const double share = 2 * area / std::abs(twice);
       if (share < 0)
         stroke(place(kept[(k + 2) % 3]), place(kept[3]), 1.2, with_alpha(kShapeEdge, 0.6f), 6);
-      rows.push_back({std::to_string(first + 1) + "–" + std::to_string(last + 1), signed_area(area),
-                      (share > 0 ? "+" : "") + spell_number(share, 3),
+      rows.push_back({std::to_string(first + 1) + " " + std::to_string(last + 1) + " 4",
+                      signed_area(area), (share > 0 ? "+" : "") + spell_number(share, 3),
                       share > 0 ? "inside: skipped" : "outside: added"});
     }
     const Pen table_pen(drawing(), scale(), kTableText);

@@ -17,6 +17,8 @@ constexpr Swatch kSimplexLineSwatch{LegendGroup::Differences, 1,
                                     [](auto& pen) { pen.level_line(0, 22, 2.5, kClipPolygon); }};
 constexpr Swatch kPolytopeSwatch{LegendGroup::Differences, 2,
                                  [](auto& pen) { pen.area(kPolytope, 0.06f, 1.2); }};
+constexpr Swatch kLevelFaceSwatch{LegendGroup::Differences, 4,
+                                  [](auto& pen) { pen.area(kSidePlane, 0.4f, 2); }};
 constexpr Swatch kSeenFaceSwatch{LegendGroup::Differences, 4,
                                  [](auto& pen) { pen.area(kPolytope, 0.2f, 1.2); }};
 constexpr Swatch kNearestFaceSwatch{LegendGroup::Differences, 3,
@@ -32,6 +34,7 @@ constexpr double kSupportShare =
     0.3;  // of the difference's size, half the length of the line through a support point
 constexpr double kMinSearch = 48;    // pixels, for the arrow of the search direction
 constexpr double kNumberAside = 46;  // pixels from a short arrow to its number
+constexpr double kFlatHeight = 70, kFlatAside = 80;  // pixels, of a flat simplex drawn again
 
 bool has_difference(const trace::Pair& pair) {
   return pair.minkowski || pair.gjk || pair.penetration;
@@ -60,8 +63,8 @@ struct DifferencePen {
   bool shows_search;
   Sketch& sketch;
 
-  void vertex(const SimplexStep& step, std::size_t i) const {
-    const Vec3d at = difference(step.vertices[i]);
+  void vertex(const SimplexStep& step, std::size_t i, const Vec3d& aside = Vec3d::Zero()) const {
+    const Vec3d at = difference(step.vertices[i]) + aside;
     sketch.mark(MarkKind::Dot, at, step_color(step));
     sketch.label(at, std::to_string(step.numbers[i]), step_color(step), 15, 10).badge =
         Badge::Support;
@@ -86,12 +89,11 @@ struct DifferencePen {
   /// The next support point: searched from `from` along the unit direction `search`. The plane through
   /// it, perpendicular to that direction, has the whole difference on one side: a dashed line if it is
   /// seen edge-on, else a part of it.
-  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& search,
-            const std::string& gain = "") const {
+  void next(const SimplexStep& step, const Vec3d& from, const Vec3d& search) const {
     if (!step.next) return;
     const Vec3d at = difference(*step.next);
     sketch.mark(MarkKind::Hollow, at, step_color(step));
-    sketch.label(at, "next point" + gain, step_color(step), 16, 12);
+    sketch.label(at, "next point", step_color(step), 16, 12);
     if (!shows_search) return;
     const Vec3d along = search.cross(camera.to_eye(at)).normalized();
     const double least = kMinSearch * static_cast<double>(scale) / camera.pixels_per_metre(from);
@@ -113,6 +115,30 @@ struct DifferencePen {
                   with_alpha(kText, 0.05f), {1.2f, kText, true, LineStyle::Hidden::Same});
     }
     sketch.explain(kFarthestSwatch, "no point lies beyond");
+  }
+
+  /// The triangle and the next point once more, aside. The height over the triangle is enlarged.
+  void flat_tetrahedron(const SimplexStep& step, const std::vector<Vec3d>& points,
+                        const Vec3d& search, double height) const {
+    const double metres = static_cast<double>(scale) / camera.pixels_per_metre(points[0]);
+    const double factor = round_down(kFlatHeight * metres / height);
+    const Vec3d aside = kFlatAside * metres * search;
+    const Vec3d foot = difference(*step.next) + aside - height * search;
+    const Vec3d top = foot + factor * height * search;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3d from = points[i] + aside, to = points[(i + 1) % 3] + aside;
+      sketch.surfaces.push_back({{from, to, top}, with_alpha(kClipPolygon, 0.16f)});
+      sketch.line(from, to, {2.5f, kClipPolygon});
+      sketch.line(from, top, {2.0f, kClipPolygon, true});
+      sketch.line(points[i], from, {1.0f, with_alpha(kText, 0.4f)});
+      vertex(step, i, aside);
+    }
+    sketch.line(foot - aside, foot, {1.0f, with_alpha(kText, 0.4f)});
+    sketch.mark(MarkKind::Hollow, top, kClipPolygon);
+    sketch.measure(foot, top, 2, 9, kText).halo = false;
+    sketch.label(
+        top, "height " + spell_length(height) + ", drawn × " + spell_count(std::llround(factor)),
+        kText, 17, 14, search);
   }
 
   /// Draws all edges and triangles of a simplex.
@@ -137,10 +163,10 @@ struct DifferencePen {
     if (mpr) return;
     const Vec3d nearest = nearest_to_origin(points);
     const Vec3d search = -nearest.normalized();
-    const double gain = step.next ? search.dot(difference(*step.next) - nearest) : size;
-    if (nearest.norm() > smallest)
-      next(step, Vec3d::Zero(), search,
-           gain < 1e-3 * size ? ", " + spell_length(gain) + " nearer" : "");
+    const double gain = step.next ? search.dot(difference(*step.next) - nearest) : 0;
+    if (!shows_search && count == 3 && gain > smallest && gain < 1e-3 * size)
+      flat_tetrahedron(step, points, search, gain);
+    if (nearest.norm() > smallest) next(step, Vec3d::Zero(), search);
     distance(nearest, nearest.norm(), step.last() ? "gap " : "");
     if (nearest.norm() > smallest) sketch.explain(kAxisSwatch, "nearest point, its distance");
   }
@@ -156,9 +182,13 @@ struct DifferencePen {
     for (const std::array<int, 3>& face : polytope.faces) {
       const std::vector<Vec3d> corner = triangle_of(face);
       const Vec3d normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
-      const bool seen = step.next && normal.dot(difference(*step.next) - corner[0]) > -smallest;
-      sketch.surfaces.push_back({corner, with_alpha(kPolytope, seen ? 0.2f : 0.06f)});
+      const double height = step.next ? normal.dot(difference(*step.next) - corner[0]) : -size;
+      const bool level = !shows_search && std::abs(height) <= smallest;
+      const bool seen = !level && height > -smallest;
+      sketch.surfaces.push_back({corner, level ? with_alpha(kSidePlane, 0.4f)
+                                               : with_alpha(kPolytope, seen ? 0.2f : 0.06f)});
       if (seen) sketch.explain(kSeenFaceSwatch, "seen by the next point: replaced");
+      if (level) sketch.explain(kLevelFaceSwatch, "in one plane with the next point: replaced too");
       for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
       corners.insert(face.begin(), face.end());
     }
@@ -228,7 +258,7 @@ std::vector<Vec3d> minkowski_extent(const std::vector<trace::Frame>& frames) {
 
 InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
   InsetPicture picture;
-  const bool has_two_steps = scene.view.layers.empty();
+  const bool is_alone = scene.view.layers.empty(), has_two_steps = is_alone && !scene.view.inset;
   picture.heading = std::string(inset.later     ? "After: "
                                 : has_two_steps ? "Before: "
                                                 : "") +
@@ -263,7 +293,7 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
                           1e-6 * size,
                           size,
                           scene.scales.length,
-                          !scene.view.layers.empty(),
+                          !is_alone,
                           sketch};
   if (step && step->polytope != nullptr)
     pen.polytope(*step);

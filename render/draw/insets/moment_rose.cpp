@@ -2,7 +2,7 @@
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/points.h"
 
-// A unit force presses a body on contact points, through their middle c. A moment that tilts the
+// A unit force, the load, presses a body on contact points, through their middle c. A moment that tilts the
 // body towards u moves that force along u, at most to the farthest point: the points resist
 // max u . (p - c). For one point that is the circle with the diameter from c to p (Thales), so the
 // rose of several points is a union of discs.
@@ -70,6 +70,9 @@ void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark) 
                pixel(center + 0.5 * along * tilt.arm + Vec2d(0, plane.px(6))), Align::Center,
                kNormal, Weight::Bold, 17, 3);
   }
+  draw_quartered_disc(pixel(center), plane.px(9 * mark), plane.px(1.5), plane.drawing());
+  plane.text("load", pixel(center + Vec2d(-plane.px(9 * mark + 5), plane.px(5))), Align::Right,
+             kText, Weight::Bold, 15, 3);
   for (int i = 0; i < count_of(all); ++i)
     if (std::ranges::find(cell.kept, i) == cell.kept.end())
       draw_dropped_point(pixel(at(all, i)), plane, mark);

@@ -2,19 +2,19 @@
 #include "draw/scene/pairs.h"
 
 /// The code of Gregorius 2015, "Overlap Test (3D)" and "Contact Creation", with the numbers that a
-/// frame's record has for a pair. Stages that are not recorded are named, and not computed.
+/// frame's record has for a pair, up to the branch that is taken.
 namespace contactscope::draw {
 namespace {
 
 // Pixels at 720 lines: the band behind a line, and rows of values without room next to their code.
 constexpr double kBandMargin = 5, kWrapped = 60;
 constexpr double kLargestCode = 1.1;  // factor of all sizes if there is room
-constexpr int kMaxLines = 13;
+constexpr int kMaxLines = 9;
 
 struct CodeLine {
   std::string code, value{};
   std::optional<Color> decides{};  // colour of the features that the line decided for
-  bool is_skipped = false;         // a branch that was not taken
+  bool is_skipped = false;         // a branch that is not taken
 };
 
 struct AxisQuery {
@@ -24,35 +24,6 @@ struct AxisQuery {
 };
 
 bool has_code(const trace::Pair& pair) { return pair.sat || (pair.cache && pair.cache->hit); }
-
-std::string to_fewer(std::size_t before, std::size_t after) {
-  return std::to_string(before) + " to " + std::to_string(after);
-}
-
-/// Clipping and reduction of a touching pair.
-void add_points(const trace::Pair& pair, std::vector<CodeLine>& lines) {
-  if (pair.clip) {
-    const trace::Clip& clip = *pair.clip;
-    std::size_t corners = clip.incident.polygon.size();
-    std::string counts = std::to_string(corners);
-    for (const trace::ClipStep& step : clip.steps)
-      counts += ", " + std::to_string(corners = step.polygon.size());
-    const auto above = static_cast<std::size_t>(
-        std::ranges::count(clip.dropped, "above the reference face", &trace::DroppedPoint::reason));
-    lines.push_back(
-        {"incident = FindIncidentFace()", "face " + std::to_string(clip.incident.face)});
-    lines.push_back({"for (each side plane) Clip(incident)", counts});
-    lines.push_back({"drop points above the face", to_fewer(corners, corners - above)});
-  } else if (pair.sat->chosen != "edge_edge") {
-    lines.push_back({"Clip(incident)", "not recorded", {}, true});
-  }
-  const auto& reduction = pair.reduction;
-  lines.push_back(
-      {"ReduceManifold()",
-       reduction ? to_fewer(reduction->points.size(), reduction->kept.size()) : "not recorded",
-       {},
-       !reduction});
-}
 
 std::vector<CodeLine> code_of(const Staging& staging, const trace::Frame& frame,
                               const trace::Pair& pair) {
@@ -90,7 +61,6 @@ std::vector<CodeLine> code_of(const Staging& staging, const trace::Frame& frame,
   };
   if (sat.face_a && sat.chosen == "face_b" && is_within(queries[0]))
     std::swap(queries[0], queries[1]);
-  bool is_decided = false;
   for (const AxisQuery& query : queries) {
     const bool is_chosen = sat.chosen == query.axis, is_edge = query.axis == "edge_edge";
     std::optional<Color> color;
@@ -100,15 +70,13 @@ std::vector<CodeLine> code_of(const Staging& staging, const trace::Frame& frame,
       const char* const answer = is_chosen ? ": yes" : is_within(query) ? ": not so deep" : ": no";
       const std::string branch = &query == &queries.front() ? "if" : "else if";
       lines.push_back({branch + " (best − " + query.name + " ≤ tolerance)",
-                       is_decided ? "" : length(best - *query.separation) + " ≤ " + limit + answer,
-                       color, is_decided});
+                       length(best - *query.separation) + " ≤ " + limit + answer, color});
     }
     lines.push_back({is_edge ? "else CreateEdgeContact()"
                              : std::string("    CreateFaceContact(") + query.name.back() + ")",
                      query.features, color, !is_chosen});
-    is_decided = is_decided || is_chosen;
+    if (is_chosen) break;
   }
-  add_points(pair, lines);
   return lines;
 }
 
@@ -153,7 +121,6 @@ class CodePanel : public PanelContent {
 
 }  // namespace
 
-const PanelDrawing kCodePanel{.needs = {&Stages::sat, &Stages::clip, &Stages::reduction},
-                              .make = make_panel<CodePanel>};
+const PanelDrawing kCodePanel{.needs = {&Stages::sat}, .make = make_panel<CodePanel>};
 
 }  // namespace contactscope::draw

@@ -36,11 +36,12 @@ struct Document {
   std::string_view name, letter, title;
 };
 constexpr Document kDocuments[] = {
-    {"sources", "", "The four documents"},
+    {"sources", "", "What the sources say, and where it is shown"},
     {"gregorius", "G", "D. Gregorius, Robust Contact Creation for Physics Simulations, 2015"},
     {"catto", "C", "E. Catto, Contact Manifolds, 2007"},
     {"survey", "S", "Survey of overlap tests"},
     {"lecture", "L", "Lecture on contact generation"},
+    {"project", "D", "What the project promises"},
     {"course", "", "A course on contacts"},
 };
 

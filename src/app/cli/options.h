@@ -212,8 +212,9 @@ std::vector<const Option*> options_of(const std::string& verb);
 
 /// Arguments of `list`.
 inline const std::vector<std::string> kListed = {
-    "scenarios", "reducers", "broad_phases", "continuous", "layers", "panels",  "studies",
-    "words",     "sources",  "gregorius",    "catto",      "survey", "lecture", "course"};
+    "scenarios", "reducers", "broad_phases", "continuous", "layers",
+    "panels",    "studies",  "words",        "sources",    "gregorius",
+    "catto",     "survey",   "lecture",      "project",    "course"};
 
 /// Uses $CONTACTSCOPE_BACKEND, if it is set. Throws UsageError.
 void use_backend_of_environment(Options& options);
