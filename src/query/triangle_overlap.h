@@ -4,8 +4,7 @@
 
 namespace contactscope {
 
-/// Three corners in one frame, metres. The front is the side from which they run counter-clockwise;
-/// overlap does not depend on it.
+/// Three corners in one frame, metres; counter-clockwise from the front, which is ignored here.
 template <class S> using Triangle = std::array<Vec3<S>, 3>;
 
 /// Common points of two closed triangles. The interior of a triangle excludes its three edges, in
@@ -34,14 +33,12 @@ template <class S> struct TriangleOverlap {
 /// valid coordinates, including all finite floats, see geometry/predicates.h). It is therefore
 /// always correct for the given numbers, to the last bit and at every scale.
 ///
-/// After Guigue and Devillers 2003, "Fast and Robust Triangle-Triangle Overlap Test Using
-/// Orientation Predicates". Steps:
+/// Guigue and Devillers 2003, "Fast and Robust Triangle-Triangle Overlap Test ...". Steps:
 ///   1. test the corners of each against the plane of the other: all strictly on one side is None;
 ///   2. all in the plane: coplanar, or one has no area;
 ///   3. each triangle cuts the line of both planes in an interval that ends on the two edges of its
 ///      lone corner. Two predicates order the ends.
-/// Deviations: we distinguish touching from overlap; both are an intersection there. Two more
-/// predicates choose the ends of the segment.
+/// Deviations: touching is not overlap. Two more predicates choose the ends of the segment.
 template <class S> TriangleOverlap<S> triangle_overlap(const Triangle<S>& a, const Triangle<S>& b);
 
 /// The same without a segment.
