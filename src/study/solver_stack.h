@@ -8,8 +8,7 @@
 
 namespace contactscope {
 
-/// Cubes of one metre stacked on a plane, as exact numbers; none leans so far that it could not
-/// stand forever.
+/// Cubes of one metre stacked on a plane; none leans so far that it could not stand forever.
 struct StackPlan {
   struct Box {
     double x = 0, z = 0;  // metres, horizontal position of the centre
@@ -19,8 +18,7 @@ struct StackPlan {
   std::vector<Box> boxes;  // from bottom to top
 };
 
-/// `count` (>= 1) boxes of 1 kg, the highest of `ratio` kg; each up to 2% of its width off centre
-/// and rotated by up to 0.1 radians.
+/// `count` >= 1 boxes of 1 kg, the highest of `ratio` kg; up to 2% off centre, 0.1 radians turned.
 StackPlan stack_plan(std::mt19937_64& engine, int count, double ratio);
 
 /// How a stack failed.
@@ -51,9 +49,8 @@ inline constexpr int kStackFrames = 180;      // of 1/60 s
 inline constexpr double kStackSlop = 0.005;   // metres; both as in Box2D for such boxes
 inline constexpr double kStackMargin = 0.02;  // metres, speculative
 
-/// Steps the stack in float, in a world of its own. The study's slop and speculative margin replace
-/// those in `settings`. Keeps all contact points, or up to `max_points` of a pair. Deterministic
-/// except for times.
+/// Steps the stack in float, in a world of its own, with the study's slop and speculative margin.
+/// Keeps all contact points, or up to `max_points` of a pair. Deterministic except for times.
 StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames = kStackFrames,
                        std::optional<int> max_points = {});
 
