@@ -222,7 +222,8 @@ PenetrationResult<S> expand(const StartSimplex<S>& start, const PenetrationOptio
 
 }  // namespace
 
-/// Van den Bergen, "Proximity Queries and Penetration Depth Computation", GDC 2001; his book, 4.3.
+/// Van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game Objects", GDC
+/// 2001, and his book of 2003, section 4.3.8.
 ///
 /// Deviations. Termination: we keep both bounds of the depth, the closest face from below and the
 /// best support plane from above. The result is the best support plane of all steps, which

@@ -33,7 +33,8 @@ template <class S> struct TriangleOverlap {
 /// valid coordinates, including all finite floats, see geometry/predicates.h). It is therefore
 /// always correct for the given numbers, to the last bit and at every scale.
 ///
-/// Guigue and Devillers 2003, "Fast and Robust Triangle-Triangle Overlap Test ...". Steps:
+/// After Guigue and Devillers 2003, "Fast and Robust Triangle-Triangle Overlap Test Using
+/// Orientation Predicates". Steps:
 ///   1. test the corners of each against the plane of the other: all strictly on one side is None;
 ///   2. all in the plane: coplanar, or one has no area;
 ///   3. each triangle cuts the line of both planes in an interval that ends on the two edges of its
