@@ -61,10 +61,11 @@ template <class S> S support_separation(const HullPair<S>& pair, const Vec3<S>& 
   return b_least - a_most;
 }
 
-/// Sign, +1 or -1, that orients cross = edge A x edge B from A to B, along the arc. The talk uses
-/// A's centre. We use the arc: the crossing x lies on it, so x . (first + second) > 0. For an arc
-/// of more than a quarter turn the sum cancels. But it is k (1 + first . second) (first . edge_b -
-/// second . edge_b) with k > 0, and the walk uses edges of B with a positive last factor.
+/// Sign, +1 or -1, that orients cross = edge A x edge B from A to B, along the arc. The talk
+/// ("Normal Orientation") uses A's centre. Here the crossing x is on the arc: x . (first + second)
+/// > 0. Of arcs of more than a quarter turn the sum cancels. But it is k (1 + first . second)
+/// (first . edge_b - second . edge_b) with k > 0, and the walk uses edges of B with a positive last
+/// factor.
 template <class S> S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
   const Vec3<S>&first = arc.first.direction, &second = arc.second.direction;
   const bool wide = first.dot(second) < S(0);
