@@ -21,11 +21,10 @@ template <class S> class Turning {
       if (angle_ > S(0)) from_axis_ = std::max(from_axis_, arm.cross(local_axis).norm() + radius);
     };
     // A hull's bounding ball is cheap, and costs few more steps than the vertices would.
-    if (core_.hull != nullptr) {
+    if (core_.hull != nullptr)
       reach_over(core_.hull->centroid, core_.hull->radius);
-    } else {
+    else
       for (int i = 0; i < core_.count; ++i) reach_over(core_.points[i], 0);
-    }
   }
 
   const SupportSet<S>& core() const { return core_; }
@@ -184,7 +183,6 @@ template <class S> class ApproachToPlane {
 
   S scale() const { return reach_ + b_.reach() + displacement_.norm() + std::abs(offset_); }
   S largest_motion() const { return displacement_.norm() + b_.speed() + angle_ * reach_; }
-
   TimeSpan<S> balls_near(S /*radii*/, S /*near*/) const { return {0, 2}; }
   S separation(const Vec3<S>& /*axis*/, S time) const {
     const Vec3<S> normal = normal_at(time);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "continuous/motion_bounds.h"
-#include "core/pose.h"
 #include "query/support_set.h"
 
 namespace contactscope {
@@ -10,8 +9,7 @@ enum class ImpactStatus {
   Separated,    // at all times of the step farther than the tolerance
   Hit,          // within the tolerance at `time`, and never before
   Overlapping,  // at time 0, or closer than rounding then
-  /// kMaxImpactSteps reached, or the rounding of a very large motion exceeds the distance.
-  /// Separated until `time`, unknown after.
+  /// kMaxImpactSteps reached, or rounding of a large motion: separated until `time`, unknown after.
   OutOfIterations,
 };
 
@@ -69,8 +67,7 @@ template <class S> struct ImpactRun {
 /// conservative advancement of shapes that spin many times.
 inline constexpr int kMaxImpactSteps = 256;
 
-/// Tolerance of a hit, the larger of gap and of_motion, at least 32 roundings of the pair's extent;
-/// and the end of the search.
+/// Tolerance of a hit: the larger of gap and of_motion, at least 32 roundings of the extent.
 template <class S> struct ImpactLimits {
   S gap = 0;  // metres
   /// Fraction of the largest displacement of a point relative to the other shape in the step. A

@@ -9,8 +9,7 @@ namespace contactscope {
 namespace {
 
 /// Core of a convex shape, or the vertices of a mesh against a plane. In double for any scalar:
-/// next to a floor of a kilometre, float gives a ball's height only to a few tenths of a
-/// millimetre. Refers to the shape.
+/// next to a floor of a kilometre, float's height of a ball is off by tenths of a millimetre.
 template <class S> class DoubleCore {
  public:
   DoubleCore(const Shape<S>& shape, const Sweep<double>& motion) {

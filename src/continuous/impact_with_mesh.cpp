@@ -88,18 +88,16 @@ void visit_near(const Mesh<S>& a, const Sweep<double>& of_a, const Mesh<S>& b,
       for (int axis = 0; axis < 3; ++axis)
         at(corners, k)[axis] = (k >> axis & 1) != 0 ? node.box.upper[axis] : node.box.lower[axis];
     const bool near = may_meet({{corners.data(), 8, nullptr}, of_b, gap});
-    if (near && node.leaf()) {
+    if (near && node.leaf())
       for (int k = node.next; k < node.next + node.count; ++k)
         if (visit(at(b.tree.triangles, k))) return;
-    }
     i = near || node.leaf() ? i + 1 : node.next;
   }
 }
 
 constexpr double kNoOverlap = std::numeric_limits<double>::infinity();
 
-/// A box at time 0 and one at time 1. Points that move linearly from one to the other are in the
-/// linearly interpolated box at every time.
+/// A box at time 0 and one at time 1. The interpolated box contains points that move linearly.
 template <class S> struct SweptBox { const Aabb<S>&start, &end; };
 
 /// Lower bound of the first time at which two swept boxes overlap; kNoOverlap if never.
@@ -115,11 +113,10 @@ template <class S> double first_overlap(const SweptBox<S>& a, const SweptBox<S>&
     if (at_end > 0) end = std::min(end, crossing + kUp);
     return begin > end;
   };
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     if (is_separated(b.start.lower[i], a.start.upper[i], b.end.lower[i], a.end.upper[i]) ||
         is_separated(a.start.lower[i], b.start.upper[i], a.end.lower[i], b.end.upper[i]))
       return kNoOverlap;
-  }
   return begin;
 }
 
@@ -162,8 +159,7 @@ template <class S> class SweptMesh {
   }
 
  private:
-  /// A neighbour with the same two vertices shares the edge. A neighbour with other vertices at the
-  /// same place does not: they may separate.
+  /// A neighbour shares the edge if it has the same vertices, not others at the same place.
   bool is_first_with_edge(int triangle, int k) const {
     const int neighbour = mesh_.neighbour(triangle, k);
     if (neighbour < 0 || triangle < neighbour) return true;

@@ -72,11 +72,10 @@ struct MeshImpact {
 /// (an exact test) are Overlapping, whatever comes later. A Near before every Hit is returned. Both
 /// meshes need one end per vertex.
 ///
-/// A node's box, interpolated from its boxes at the start and end, contains its triangles at every
-/// time. Of two children, the one whose boxes overlap first is visited first; nodes whose overlap
-/// begins after the best time are skipped. Shared vertices and edges are tested once: one of their
-/// triangles owns them (Curtis, Tamstorf and Manocha 2008, "Fast Collision Detection for Deformable
-/// Models Using Representative-Triangles").
+/// A node's box, interpolated from start to end, contains its triangles at every time. Nodes that
+/// overlap first are visited first, up to the best time. Shared vertices and edges are tested once:
+/// one of their triangles owns them (Curtis, Tamstorf and Manocha 2008, "Fast Collision Detection
+/// for Deformable Models Using Representative-Triangles").
 template <class S> MeshImpact impact_of_meshes(const MovingMesh<S>& a, const MovingMesh<S>& b);
 
 }  // namespace contactscope

@@ -4,11 +4,9 @@
 
 namespace contactscope {
 
-/// Vertex of a deforming mesh, which moves on a straight line at constant speed in the step.
-/// Metres, both in one frame.
+/// Vertex of a deforming mesh: on a straight line at constant speed in the step. Metres.
 template <class S> struct MovingCorner {
   Vec3<S> start, end;
-
   Vec3<S> at(S time) const { return start + time * (end - start); }
 };
 
@@ -35,8 +33,7 @@ struct FeatureImpact {
   double distance = 0;  // metres, at `begin`; valid unless Separated
   Vec3d normal =
       Vec3d::UnitX();  // unit, from the first feature to the second, at `begin`; likewise
-  /// Contact point: for a face the weights of its corners 1 and 2, for edges the fraction from
-  /// corner 0 of the first and of the second.
+  /// Contact point: the weights of a face's corners 1 and 2, or the fractions of both edges.
   double u = 0, v = 0;
   int steps = 0;  // distances measured; 0: separated along a coordinate axis
 };
@@ -46,8 +43,7 @@ struct FeatureImpact {
 inline constexpr int kMaxFeatureSteps = 256;
 
 /// First impact of a vertex and a triangle, or of two edges, when every corner moves on its own
-/// straight line. Never misses: reports all features that meet at any time, for exactly the given
-/// coordinates.
+/// straight line. Never misses, for exactly the given coordinates.
 ///
 /// A Hit is proved: the equation of contact has a root between `begin` and `end`. A contact at the
 /// border of a feature cannot be proved in rounded arithmetic and is Near.

@@ -30,8 +30,7 @@ template <int kCorners> struct MovingPolygon {
       most = most.cwiseMax(at(start, i).cwiseAbs()).cwiseMax(at(end, i).cwiseAbs());
     return most.maxCoeff();
   }
-  /// Whether a coordinate axis separates the features from 0 to 1. Differences are rounded, but
-  /// their signs are exact.
+  /// Whether a coordinate axis separates the features from 0 to 1: signs of differences are exact.
   bool is_separated_along_coordinates() const {
     Vec3d least = start[0], most = start[0];
     for (int i = 0; i < kCorners; ++i) {
@@ -52,8 +51,7 @@ struct NearestOfPolygon {
   bool is_inside = false;     // then all corners support the point
 };
 
-/// Normal of the polygon, of length twice its area. Zero for a polygon whose height is within
-/// rounding, which is only its edges.
+/// Normal of the polygon, of length twice its area; zero if its height is within rounding.
 template <std::size_t kCorners> Vec3d normal_of(const std::array<Vec3d, kCorners>& ring) {
   const Vec3d a = kCorners == 4 ? ring[2] - ring[0] : ring[1] - ring[0];
   const Vec3d b = kCorners == 4 ? ring[3] - ring[1] : ring[2] - ring[0];

@@ -7,8 +7,7 @@
 namespace contactscope {
 namespace {
 
-/// Limits of one search. Pairs of hulls of 32 vertices take six support points on average; beyond
-/// these limits the search is Undecided.
+/// Limits of one search, which takes six points for hulls of 32 vertices; beyond them: Undecided.
 constexpr int kMaxDiscoveries = 16, kMaxRefinements = 64;
 
 /// Smaller squares of lengths in units have lost digits to underflow.

@@ -57,8 +57,7 @@ template <class S> class PortalCast {
 
   /// Separated from 0 until this time.
   S safe_time() const { return safe_time_; }
-  /// The last plane measured: for a Hit along the portal's normal, for Separated the separating
-  /// one. Its time may be negative.
+  /// The last plane measured: of the portal for a Hit, else separating. Its time may be negative.
   const SupportPlane<S>& plane() const { return plane_; }
   /// Number of support points computed.
   int supports() const { return supports_; }
@@ -66,8 +65,7 @@ template <class S> class PortalCast {
   /// After a Hit: the portal, weighted for the point that the path passes through. `a` and `b` of
   /// its vertices are arms from the pivots, rotated, metres.
   GjkSimplex<S> portal() const;
-  /// After a Hit: closest points at a time of the cast near the hit. `axis` separates the shapes;
-  /// the caller sets Closest::time.
+  /// After a Hit: closest points at a time near it. `axis` separates; time is set by the caller.
   Closest<S> closest(S time) const;
 
  private:

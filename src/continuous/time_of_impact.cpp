@@ -15,9 +15,8 @@ template <class S> struct Separation {
 };
 
 /// Measures the distance of two moving shapes, lets advance(approach, state, result, step) move
-/// `result.time` to a later safe time, and measures again, until they are near or the step is over.
-/// They stay separated if `result.time` reaches allowed.until. `approach` measures in a frame that
-/// moves with the pivot of `of_a`.
+/// `result.time` to a later safe time, until they are near or the step is over, or allowed.until is
+/// reached. `approach` measures in a frame that moves with the pivot of `of_a`.
 template <class S, class Approach, class Advance>
 ImpactResult<S> search_impact(Approach&& approach, S radius_a, S radius_b, const Sweep<S>& of_a,
                               const ImpactLimits<S>& allowed, ImpactRun<S>* run,
@@ -167,9 +166,8 @@ std::optional<Closest<S>> cast_straight(Approach<S>& approach, const Separation<
 }
 
 /// Whether balls about the pivots prove separation along an axis until `time`, if separated then.
-/// The balls approach at a constant speed. At some earlier time, possibly before the step, their
-/// gap equals the largest effect of the turns until `time`. After it the bound of safe_fraction()
-/// holds; before it the balls alone prove separation.
+/// At some earlier time, possibly before the step, their gap equals the largest effect of the
+/// turns. After it the bound of safe_fraction() holds; before it the balls alone prove separation.
 template <class S>
 bool balls_prove(const Approach<S>& approach, const Vec3<S>& axis, S time, S target) {
   const S reach = approach.a().reach() + approach.b().reach();
@@ -190,8 +188,7 @@ std::optional<Closest<S>> cast_turning(Approach<S>& approach, const Separation<S
                                        ImpactResult<S>& result, ImpactRun<S>* run) {
   // Each cast about squares the error. Shapes that need more also spin too fast for the bound.
   constexpr int kMaxCasts = 4;
-  // Fraction of the time in which the balls are near, where most impacts are. There the first cast
-  // sees about the orientations of the impact.
+  // Fraction of the time in which the balls are near, to begin at: there most impacts are.
   constexpr S kFirstGuess = S(0.15);
   const S begin = result.time;
   const S aim = S(0.5) * (gap.target + gap.near);

@@ -13,8 +13,7 @@ typename A::Scalar cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Twice the area of a triangle, positive when a, b, c run counter-clockwise: |b - a| times the
-/// distance of c to the left of line ab.
+/// Twice a triangle's area, positive counter-clockwise: |b - a| times c's distance left of line ab.
 inline double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) { return cross(b - a, c - a); }
 
 /// 2D coordinates in a plane, relative to a point of it, so points far from the world origin lose
@@ -35,9 +34,8 @@ template <class S> struct PlaneFrame {
 /// Projects points into the plane with unit `normal` through the first point.
 std::vector<Vec2d> project(std::span<const Vec3d> points, const Vec3d& normal);
 
-/// Andrew's monotone chain (1979): corners of the convex hull, counter-clockwise. `sorted` has at
-/// least one point and is sorted by x, then y. `is_left_turn` takes three points and returns true
-/// when the middle one is a corner.
+/// Andrew's monotone chain (1979): corners of the convex hull, counter-clockwise. `sorted`: points
+/// by x, then y. `is_left_turn` takes three and returns true when the middle one is a corner.
 template <class Points, class IsLeftTurn>
 Points convex_chain(const Points& sorted, const IsLeftTurn& is_left_turn) {
   Points hull;

@@ -12,14 +12,12 @@ enum class FeatureKind : std::uint8_t { Vertex = 0, Edge = 1, Face = 2 };
 
 /// One feature of one shape; an edge unless a kind is given. Edges are undirected: index =
 /// half-edge index / 2. A sphere is vertex 0. A capsule has vertices 0 and 1 and edge 0 between
-/// them. In the manifold of a mesh triangle its features are numbered within the triangle: face 0
-/// is its front, 1 its back. In a manifold of a mesh (merge_triangles.h) they are numbered within
-/// the mesh. A plane is face 0.
+/// them. A plane is face 0. Features of a triangle are numbered within it, face 0 is its front, 1
+/// its back; those of a mesh (merge_triangles.h) within the mesh.
 struct FeatureRef {
   Owner owner = Owner::A;
   FeatureKind kind = FeatureKind::Edge;
   std::uint32_t index = 0;
-
   constexpr FeatureRef() = default;
   constexpr FeatureRef(Owner of, std::uint32_t edge) : owner(of), index(edge) {}
   constexpr FeatureRef(Owner of, FeatureKind feature, std::uint32_t number)
@@ -39,9 +37,8 @@ constexpr FeatureRef face_ref(Owner owner, int face) {
 }
 
 /// Contact id: the two features that made the point. For clipped hulls, the two edges that cross at
-/// the point (Catto 2007, "Feature-Based Contact Points"); for closest points, the feature of each
-/// shape that contains them. Sorted, A before B, then by kind and index: a crossing has the same id
-/// whichever shape is the reference.
+/// the point (Catto 2007, "Feature-Based Contact Points"); for closest points, the features that
+/// contain them. Sorted, A before B, then by kind and index, so the reference does not matter.
 struct FeatureId {
   FeatureRef first;
   FeatureRef second;

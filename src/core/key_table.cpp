@@ -6,8 +6,7 @@
 
 namespace contactscope {
 
-/// meanings.txt, embedded by the build: words here, each with those of other programs and of
-/// everyday language for it.
+/// meanings.txt, embedded by the build: words here, each with other words for it.
 std::string_view meanings();
 
 namespace {

@@ -33,8 +33,7 @@ struct KeyTable {
   const Key* find(std::string_view key) const;
 };
 
-/// The tables with the columns "key | type | default |" of a document in Markdown, each under its own
-/// heading. Refers to the document.
+/// The tables with columns "key | type | default |" of a Markdown document, under their headings.
 std::vector<KeyTable> parse_key_tables(std::string_view markdown);
 
 /// For a terminal: a heading for each table, then its keys.
@@ -43,9 +42,8 @@ std::string printed(const std::vector<KeyTable>& tables);
 /// Without backticks, and the text of each link.
 std::string plain(std::string_view markdown);
 
-/// The candidate that `word` most likely means: the same up to case and underscores; another word for
-/// it; or one that it misspells, with up to a third of its letters wrong, two swapped ones counted as
-/// one. Empty if none is near.
+/// The candidate that `word` most likely means: the same up to case and underscores; another word
+/// for it; or one that it misspells in up to a third of its letters. Empty if none is near.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// "did you mean 'half_extents'? ", or empty.
@@ -60,8 +58,7 @@ template <class List> std::vector<std::string_view> names_in(const List& list) {
 /// "'a', 'b' and 'c'".
 std::string quoted_list(const std::vector<std::string_view>& words, const char* last = " and ");
 
-/// "is 'cube'; did you mean 'box'? it may be 'box' or 'hull'"; empty if the text is one of the words, or
-/// there are none.
+/// "is 'cube'; did you mean 'box'? it may be 'box' or 'hull'"; empty for one of the words.
 std::string not_among(const std::vector<std::string_view>& words, const std::string& text);
 
 }  // namespace contactscope

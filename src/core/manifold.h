@@ -68,8 +68,7 @@ constexpr const char* to_string(PenetrationMethod method) {
 }
 
 /// Features of the two shapes that touch, the simpler one first (lecture on contact generation,
-/// "Contact types"). A round shape has its centre or the ends of its axis as points, its axis as
-/// edge.
+/// "Contact types"). A round shape has its centre or axis ends as points, its axis as edge.
 enum class ContactType { PointPoint, PointEdge, PointFace, EdgeEdge, EdgeFace, FaceFace };
 
 /// "point-face", as written in traces.
@@ -94,8 +93,7 @@ constexpr ContactType face_contact_type(std::size_t points) {
 }
 
 /// Gregorius 2015, "Contact Manifolds": contact points that share a normal. Empty when the
-/// separation exceeds the margin. Not empty when the shapes overlap, unless the geometry is
-/// degenerate and the options say to skip it.
+/// separation exceeds the margin; not empty in overlap, unless degenerate and to be skipped.
 template <class S> struct Manifold {
   // Not "= default": with an empty body, Manifold() leaves the storage of the points uninitialised.
   // Otherwise it would clear eight kilobytes.

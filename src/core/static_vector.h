@@ -47,7 +47,6 @@ template <class T, std::size_t N> class StaticVector {
   }
   T& back() { return (*this)[size_ - 1]; }
   const T& back() const { return (*this)[size_ - 1]; }
-
   T* data() { return items_; }
   const T* data() const { return items_; }
   T* begin() { return items_; }
@@ -63,8 +62,7 @@ template <class T, std::size_t N> class StaticVector {
   };
 };
 
-/// Scratch array of run-time size: on the stack up to `Inline` elements, on the heap beyond.
-/// Elements start uninitialised.
+/// Scratch array of run-time size: uninitialised; on the heap beyond `Inline` elements.
 template <class T, int Inline> class Scratch {
  public:
   explicit Scratch(int count) {
@@ -74,7 +72,6 @@ template <class T, int Inline> class Scratch {
   }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
-
   T* data() { return data_; }
   const T* data() const { return data_; }
   T& operator[](int i) { return data_[i]; }

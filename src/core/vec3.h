@@ -18,15 +18,13 @@ template <> struct Eigen::internal::find_best_packet<float, 9> {
 
 namespace contactscope {
 
-/// Column vector of three, with Eigen's algebra. Functions of this project take and return these by
-/// name, never Eigen expressions.
+/// Column vector of three, with Eigen's algebra. Functions take and return these, no expressions.
 template <class S> using Vec3 = Eigen::Matrix<S, 3, 1>;
 
 /// 3x3 matrix, columns are the images of the axes.
 template <class S> using Mat3 = Eigen::Matrix<S, 3, 3>;
 
-/// Unit quaternion. Unaligned, so that every build takes the same scalar code path and containers
-/// need no special allocator.
+/// Unit quaternion; unaligned: one code path in all builds, and containers without an allocator.
 template <class S> using Quat = Eigen::Quaternion<S, Eigen::DontAlign>;
 
 using Vec3f = Vec3<float>;

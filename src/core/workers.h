@@ -9,8 +9,7 @@
 
 namespace contactscope {
 
-/// Thread pool that includes the calling thread. Threads start once, some 20 to 50 microseconds
-/// each, and wait between two lists of work.
+/// Thread pool that includes the calling thread. Threads start once, in 20 to 50 microseconds each.
 class Workers {
  public:
   /// `count`: number of threads, including the caller's; 1 or more.
@@ -18,7 +17,6 @@ class Workers {
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
-
   int count() const { return 1 + static_cast<int>(threads_.size()); }
 
   /// Calls work(i, worker) once for each i from 0 to `pieces` - 1 and returns when all calls have.

@@ -35,9 +35,7 @@ template <class S> struct Body {
   Mat3<S> inertia = Mat3<S>::Zero();  // about `center`, the shape's axes, kg m^2
   Mat3<S> inverse_inertia = Mat3<S>::Zero();
   Vec3<S> local_center = Vec3<S>::Zero();  // `center` in the shape's frame
-
   bool dynamic() const { return inverse_mass > 0; }
-
   Pose<S> pose() const { return {rotation, center - rotation * local_center}; }
 
   void place(const Pose<S>& pose) {

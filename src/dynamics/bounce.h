@@ -15,15 +15,13 @@ void note_approach(std::span<SolverBody<S>> bodies, std::vector<ContactConstrain
   });
 }
 
-// Resting bodies meet at the speed that gravity adds in one sub-step, and must not bounce from it;
-// as much again for the error of the sweeps.
+// Resting bodies meet at gravity's speed of one sub-step, up to the error of the sweeps: no bounce.
 inline constexpr double kRestitutionThreshold = 2;  // times gravity times the sub-step
 
 /// Velocity with which a point that came with `point.approach` leaves. Semi-implicit Euler follows
-/// a parabola. Its velocity at the current poses is midway between those before and after gravity's
-/// share of the sub-step. Restitution applies to that one, so an elastic ball keeps its energy.
-/// Separated points are met early: they travel the rest and back under gravity. `closing`:
-/// gravity's relative acceleration, m/s^2.
+/// a parabola, with the velocity midway between those before and after gravity's share of the
+/// sub-step. Restitution applies to that one, so an elastic ball keeps its energy. Separated points
+/// travel the rest and back under gravity. `closing`: gravity's relative acceleration, m/s^2.
 template <class S>
 S leaving_velocity(const ConstraintPoint<S>& point, S restitution, S closing, S h) {
   const S half_step = S(0.5) * closing * h;
@@ -34,8 +32,7 @@ S leaving_velocity(const ConstraintPoint<S>& point, S restitution, S closing, S 
   return std::sqrt(squared) - half_step;
 }
 
-/// The bodies after the sweeps that stop them, before they bounce, and the groups that the bounce
-/// joins by its impulses.
+/// The bodies after the sweeps, before they bounce, and the groups that impulses join.
 template <class S> class StoppedBodies {
  public:
   explicit StoppedBodies(std::span<const SolverBody<S>> bodies) {
@@ -124,8 +121,7 @@ void limit_bounces(std::span<SolverBody<S>> bodies, std::vector<ContactConstrain
 
 /// Adds bounces (Newton's restitution) after the sweeps of a sub-step, before the bodies move.
 /// Points bounce if they closed faster than resting bodies do, and pushed. As many sweeps again, of
-/// normal impulses only, solve them and all that they stir. So impulses of the bounce act where
-/// those of the stop did, and keep angular momentum.
+/// normal impulses only, solve them and all that they stir. So they keep angular momentum.
 ///
 /// The first sweeps add no energy; without friction these return at most what the stop of the
 /// normal velocities took. This requires that a stirred point that was opening before may close as

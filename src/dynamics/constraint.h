@@ -35,8 +35,7 @@ template <class S> struct SolverBody {
     body.rotation = Quat<S>(S(1), half_turn.x(), half_turn.y(), half_turn.z()) * body.rotation;
     body.rotation.normalize();
   }
-  /// Moves a dynamic body by `offset`, metres, and turns it by `turned`, radians, both world. Keeps
-  /// its momenta about its centre.
+  /// Moves a dynamic body by `offset`, metres, and turns it by `turned`, radians, world.
   void displace(const Vec3<S>& offset, const Vec3<S>& turned) {
     if (!body.dynamic()) return;
     moved += offset;
@@ -53,8 +52,7 @@ template <class S> struct SolverBody {
 template <class S> struct ConstraintPoint {
   Vec3<S> arm_a, arm_b;  // from the centres of mass to the points of action, world; see follow()
   // When the step began: from the centres of mass to the cores (a ball's centre, a capsule's axis,
-  // a hull's contact point), in world axes and in the bodies' own axes; and the distance from there
-  // to the point, metres along the normal.
+  // a hull's point), in world and own axes; and from there to the point, metres along the normal.
   Vec3<S> core_a, core_b;
   Vec3<S> anchor_a, anchor_b;
   S reach_a = 0, reach_b = 0;
@@ -163,8 +161,7 @@ template <class S> void keep_impulses(const ContactConstraint<S>& contact, PairI
                     along_plane(point.total_u, point.total_v), point.warm_start});
 }
 
-/// Relative velocity along the unit vector `v` that one newton second along `u` causes at the point
-/// by rotation of the bodies, 1/kg.
+/// Velocity along unit `v` that one newton second along `u` causes at the point by rotation, 1/kg.
 template <class S>
 S turned_along(const BodyPair<S>& bodies, const ConstraintPoint<S>& point, const Vec3<S>& u,
                const Vec3<S>& v) {
@@ -212,8 +209,7 @@ ConstraintPoint<S> prepare_point(const BodyPair<S>& bodies, const ContactConstra
   ConstraintPoint<S> point;
   point.arm_a = found.position - a.center;
   point.arm_b = found.position - b.center;
-  // Points of two round shapes are midway between the surfaces. For one round shape, their place
-  // along the normal does not matter.
+  // Points of two round shapes are midway between the surfaces; of one, height does not matter.
   if (pair.round_a > S(0)) point.reach_a = pair.round_a + S(0.5) * found.separation;
   if (pair.round_b > S(0)) point.reach_b = -pair.round_b - S(0.5) * found.separation;
   point.core_a = point.arm_a - point.reach_a * contact.normal;
@@ -228,8 +224,7 @@ ConstraintPoint<S> prepare_point(const BodyPair<S>& bodies, const ContactConstra
 }
 
 /// Share of the gap between two arms' ends that a's arm closes, see follow(). The point stays fixed
-/// on a round shape, because an arm off the normal would make a ball spin, and else on the lighter
-/// body, whose corner it usually is.
+/// on a round shape, which would else spin, or on the lighter body, whose corner it usually is.
 template <class S> S share_of_a(const BodyPair<S>& bodies, const PairContacts<S>& pair) {
   const bool round_a = pair.round_a > S(0), round_b = pair.round_b > S(0);
   if (round_a != round_b && bodies.a.body.dynamic() && bodies.b.body.dynamic())

@@ -6,10 +6,9 @@
 ///
 /// The gyroscopic term is part of the rotation: between impulses a body turns freely, with constant
 /// angular momentum in the world. Source: implicit midpoint rule for the free rigid body (Austin,
-/// Krishnaprasad and Wang 1993, "Almost Poisson Integration of Rigid Body Systems"). Catto (GDC
-/// 2015, "Numerical Methods", gyroscopic torques) takes one Newton step of backward Euler instead.
-/// It never blows up but damps a tumbling body; the midpoint costs the same solve and keeps both
-/// momentum and energy, up to rounding.
+/// Krishnaprasad and Wang 1993, "Almost Poisson Integration of Rigid Body Systems"). Catto's Newton
+/// step of backward Euler (GDC 2015, "Numerical Methods") damps a tumbling body; the midpoint costs
+/// the same and keeps momentum and energy, up to rounding.
 ///
 /// Steps, in the body's axes, with P = I w and h the step:
 ///   1. the midpoint velocity m: I m - P - h/2 (I m) x m = 0, by Newton from w;
@@ -34,8 +33,7 @@ inline Midpoint midpoint_velocity(const Mat3<double>& inertia, const Vec3d& w, d
   const Vec3d momentum = inertia * w;
   Midpoint best{w};
   double least = std::numeric_limits<double>::infinity();
-  // Newton continues until rounding stops it: the error left by a tolerance would have the same
-  // sign in every step, and add up.
+  // Newton continues to rounding: a tolerance's error would have the same sign in every step.
   Vec3d m = w;
   for (int i = 0; i < kMaxIterations; ++i) {
     const Vec3d at_m = inertia * m;

@@ -10,8 +10,7 @@
 //     volume = d / 6,  integral of x = d / 24 (a + b + c),
 //     integral of x x^T = d / 120 (a a^T + b b^T + c c^T + (a + b + c)(a + b + c)^T).
 //
-// Steps: 1. volume and centre, 2. second moments about that centre, so that nothing large cancels,
-// 3. inertia = trace(moments) - moments.
+// Steps: 1. volume and centre, 2. second moments about it, 3. inertia = trace(moments) - moments.
 
 namespace contactscope {
 namespace {
@@ -25,10 +24,9 @@ void for_each_surface_triangle(const Hull<S>& hull, const Visit& visit) {
     return Vec3d(hull.origin(half_edge).template cast<double>());
   };
   const auto after = [&](int half_edge) { return at(hull.half_edges, half_edge).next; };
-  for (const int first : hull.face_edges) {
+  for (const int first : hull.face_edges)
     for (int edge = after(first); after(edge) != first; edge = after(edge))
       visit(corner(first), corner(edge), corner(after(edge)));
-  }
 }
 
 template <class S, class Visit>
@@ -134,8 +132,7 @@ MassProperties with_mass(const MassProperties& properties, double mass) {
 }
 
 double shortest_edge(double mass, const Mat3<double>& inertia) {
-  // A box with the edges p <= q <= r has the moments m/12 (q^2 + r^2), m/12 (p^2 + r^2) and
-  // m/12 (p^2 + q^2). The first is the largest.
+  // A box with the edges p <= q <= r has m/12 (q^2 + r^2), m/12 (p^2 + r^2) and m/12 (p^2 + q^2).
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> solver(inertia, Eigen::EigenvaluesOnly);
   const Vec3d moments = solver.eigenvalues();  // ascending
   return std::sqrt(std::max(0.0, 6 / mass * (moments.x() + moments.y() - moments.z())));

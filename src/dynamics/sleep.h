@@ -13,8 +13,7 @@
 /// awake or touches a moving scripted body; awake bodies are solved; an island whose bodies all had
 /// at most `sleep_speed` for `sleep_after` seconds falls asleep at rest.
 ///
-/// Gregorius 2015, "Incremental Manifold Stability": a body can rest on a manifold if its centre of
-/// mass projects into it along the normal.
+/// Gregorius 2015, "Incremental Manifold Stability": the centre of mass projects into the manifold.
 namespace contactscope {
 
 /// Two bodies that share contact points.
@@ -40,7 +39,6 @@ template <class S> class Sleepers {
   Sleepers() = default;
   /// All bodies start awake. Sleeping is off if `settings`, settled(), have no `sleep_after`.
   Sleepers(const std::vector<Body<S>>& bodies, const SolverSettings& settings);
-
   bool may_sleep() const { return !still_.empty(); }
   bool asleep(int body) const { return may_sleep() && at(asleep_, body); }
 

@@ -6,15 +6,13 @@
 /// Simple Physics using Sequential Impulses"; Gregorius 2015, "Recap: Solving Contact".
 ///
 /// Friction is Coulomb's cone: a vector in the contact plane, no longer than the coefficient times
-/// the previous sweep's normal impulse. (Catto clamps each of two tangents: a pyramid, whose
-/// friction depends on the choice of tangents.)
+/// the previous sweep's normal impulse. (Catto's pyramid depends on the choice of tangents.)
 namespace contactscope {
 
 /// Target velocity of a contact point, from its separation.
 ///
-/// Drives the relative normal velocity to -(velocity) with `mass_scale` of the mass, and takes back
-/// `impulse_scale` of the impulse so far: impulse = -mass mass_scale (v + velocity) - impulse_scale
-/// impulse.
+/// Drives the relative normal velocity to -(velocity) with `mass_scale` of the mass: impulse =
+/// -mass mass_scale (v + velocity) - impulse_scale impulse.
 template <class S> struct PositionBias {
   S velocity = 0;  // metres per second
   S mass_scale = 1;
@@ -39,9 +37,8 @@ template <class S> S baumgarte(S separation, const SolverSettings& settings, S h
 
 /// Catto 2024, "Solver2D", soft step: a damped spring of `hertz` and `damping_ratio`, limited to
 /// what the step can resolve, a quarter of the sub-steps' rate. Twice as stiff against infinite
-/// mass (ibid.), so that stacks sink less into their ground than into each other. The velocity of
-/// the push is removed when the contact relaxes, but for the error of the sweeps, which bodies keep.
-/// So it is at most the push speed too.
+/// mass (ibid.), so that stacks sink less into their ground than into each other. What sweeps leave
+/// of the push is kept, so it is at most the push speed too.
 template <class S>
 PositionBias<S> soft(S separation, const SolverSettings& settings, bool against_static, S h) {
   const S hertz = std::min(static_cast<S>(settings.hertz), S(0.25) / h) * (against_static ? 2 : 1);
@@ -162,8 +159,7 @@ void relax(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& c
   }
 }
 
-// Sweeps over the points of one manifold before its bodies move. They reduce the differences
-// between the corners of a box to a hundredth.
+// Sweeps over one manifold's points before its bodies move; they leave 1/100 of the differences.
 inline constexpr int kManifoldSweeps = 8;
 // Largest turn of a body by one manifold in one sweep, radians. Separations are linear in the turn
 // only to first order; the error, its square, is left for the next sweep.
@@ -250,17 +246,15 @@ void project_manifold(const BodyPair<S>& bodies, ContactConstraint<S>& contact,
 /// the contacts again, but now solving the position error directly". Pushed bodies do not fly on:
 /// velocities change only to keep angular momentum.
 ///
-/// Each sweep is a nonlinear Gauss-Seidel step (Catto 2006, "Nonlinear position correction"),
-/// manifold by manifold. Steps for each:
+/// Each sweep is nonlinear Gauss-Seidel (Catto 2006, "Nonlinear position correction"). Steps:
 ///   1. compute its points and their effective masses at the current poses;
 ///   2. find pushes that give each point its target, by sweeps over the points that treat their
 ///      effect on each other as linear. A point's summed push is held at zero or above, so an
 ///      earlier point can give back its share when a later one lifts the body too;
 ///   3. move and turn the bodies once, by the sum over all points, by at most a tenth of a radian.
-/// Catto moves the bodies point by point, by at most 20 cm. But rotations do not commute: each
-/// corner of a box deep in a floor turns it, and though the turns add up to zero, they leave it
-/// turned about the vertical. One turn per manifold keeps symmetry, and a limit of the turn needs
-/// no length.
+/// Catto moves the bodies point by point, by at most 20 cm. But rotations do not commute: the turns
+/// by each corner of a box deep in a floor add up to zero, and yet leave it turned about the
+/// vertical. One turn per manifold keeps symmetry, and its limit needs no length.
 template <class S>
 void project_positions(std::span<SolverBody<S>> bodies, std::vector<ContactConstraint<S>>& contacts,
                        int iterations) {

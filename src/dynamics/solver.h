@@ -1,9 +1,7 @@
 #pragma once
 
 #include "continuous/motion_bounds.h"
-#include "dynamics/body.h"
 #include "dynamics/continuous_step.h"
-#include "dynamics/solver_settings.h"
 #include "manifold/dispatch.h"
 
 namespace contactscope {

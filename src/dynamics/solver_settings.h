@@ -38,8 +38,7 @@ struct SolverSettings {
   // Metres of overlap that are ignored. A point that is pushed out completely is lost in the next
   // frame, together with the impulse that held it: the body drops back, and wanders.
   std::optional<double> slop{};
-  // Metres: separated points within it are kept, so that they do not come and go as a body rocks,
-  // and keep bodies from passing each other.
+  // Metres: separated points within it are kept, so that bodies neither rock nor pass each other.
   std::optional<double> speculative_margin{};
   // Seconds for which an island rests before it sleeps; nullopt: never. Box2D uses half a second.
   std::optional<double> sleep_after{};

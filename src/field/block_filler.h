@@ -11,8 +11,7 @@ enum class NodeSign : std::uint8_t { Unknown, Outside, Inside };
 /// separate them: the sum of their distances exceeds the distance between them, `side` cells along
 /// an axis. If no known node qualifies, `is_inside` decides one unknown node.
 ///
-/// `counts`: nodes along x, y and z; `nodes`: unsigned distances in the first lanes, x first;
-/// `signs`: one per node; some may be known.
+/// `counts` of nodes along x, y, z; unsigned distances of `nodes`, x first; some `signs` are known.
 void spread_signs(const std::array<int, 3>& counts, double side,
                   std::span<const lanes::Pack<float>> nodes, std::span<NodeSign> signs,
                   const std::function<bool(int x, int y, int z)>& is_inside);

@@ -44,7 +44,6 @@ struct FieldSettings {
   std::size_t most_bytes = std::size_t{1} << 30;  // larger fields are rejected
   /// Number of threads; does not change the field. 0: all of the processor, fewer for small fields.
   int threads = 0;
-
   friend bool operator==(const FieldSettings&, const FieldSettings&) = default;
 };
 
@@ -256,8 +255,7 @@ inline Field<double> field_shape(const PlacedField& placed, const Shape<double>&
 /// (triangle_sieve.h): in 2 for eight blocks together and for each, in 4 for the eight parts of a
 /// block and groups of eight nodes, in 6 for cells. Threads share 2 and 4 to 7 (field_builder.h).
 ///
-/// Throws ShapeError for planes, meshes without an inside, and fields larger than the settings
-/// allow, with the number of bytes required.
+/// Throws ShapeError for planes, meshes without an inside, and fields that need too many bytes.
 PlacedField build_distance_field(const Shape<double>& shape, const FieldSettings& settings = {});
 
 }  // namespace contactscope

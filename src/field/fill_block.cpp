@@ -92,8 +92,7 @@ void BlockFiller::fill_by_triangles(const FieldBuilder::NearBlock& near) {
       for (const int i : {0, 1}) fill_part({i, j, k});
 }
 
-/// Fills a part, two cells along each axis. Sifts the triangles for small groups of nodes, and for
-/// cells, from those of the part.
+/// Fills a part, two cells along each axis, and sifts its triangles for groups of nodes and cells.
 void BlockFiller::fill_part(const std::array<int, 3>& part) {
   const auto [x, y, z] = part;
   part_middle_ = corner_ + Vec3d(2 * x + 1, 2 * y + 1, 2 * z + 1);
@@ -186,8 +185,7 @@ void BlockFiller::query_triangles(int fine) {
 /// Whether a cell can have nothing thin in it, and its blend is good.
 ///
 /// If all normals are within less than 90 degrees of one direction, each line along it crosses the
-/// surface in the cell only from inside to outside. So it crosses it at most once, and no plate or
-/// gap can begin and end in the cell.
+/// surface in the cell once, from inside to outside: no plate or gap is within the cell.
 bool BlockFiller::is_smooth(const Vec3d& corner, const NodePair* first,
                             std::span<const int> triangles) {
   if (!(field_.settings_.smooth > 0)) return false;

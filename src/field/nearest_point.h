@@ -22,15 +22,13 @@ class NearestTriangles {
  public:
   NearestTriangles() = default;
   explicit NearestTriangles(std::shared_ptr<const Mesh<double>> mesh);
-
   const Mesh<double>& mesh() const { return *mesh_; }
 
   /// The nearest of all triangles; ties are arbitrary. Nearby `seeds` shorten the search.
   NearestPoint nearest(const Vec3d& point, std::span<const int> seeds = {}) const;
 
-  /// Searches the tree for the triangles nearest to a point, near branches first, and skips those
-  /// beyond `best`. visit(leaf, first, count) checks `count` triangles, from `first` on in the
-  /// order of the tree, and may replace `best`.
+  /// Searches the tree for the triangles nearest to a point, near branches first, up to `best`.
+  /// visit(leaf, first, count) checks triangles from `first` on, and may replace `best`.
   template <class Visit>
   void search(const Vec3d& point, NearestPoint& best, const Visit& visit) const;
 

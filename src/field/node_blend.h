@@ -6,8 +6,7 @@
 /// Lattice nodes, rounded to 16 bits, and their blend, which takes most of a distance field query.
 namespace contactscope {
 
-/// A rounded node: its distance in steps, which the field chooses so that all fit, and the gradient
-/// in parts of kGradientScale, all even.
+/// A rounded node: its distance in steps of the field, the gradient in kGradientScale, all even.
 struct FieldNode {
   std::int16_t distance;
   std::array<std::int16_t, 3> gradient;
@@ -30,9 +29,7 @@ struct alignas(16) NodePair {
 
   std::array<std::int16_t, 2> distance;
   /// The last number is odd if the cell that begins with these two nodes uses its triangles.
-  /// Queries need no other memory to know.
   std::array<std::array<std::int16_t, 2>, 3> gradient;
-
   bool queries_triangles() const { return (gradient[2][1] & 1) != 0; }
   void query_triangles() { gradient[2][1] = static_cast<std::int16_t>(gradient[2][1] | 1); }
 };
@@ -40,8 +37,7 @@ struct alignas(16) NodePair {
 inline constexpr float kGradientScale = 32766;
 inline constexpr double kMaxSteps = 32767;
 
-/// Rounds distance and gradient. A distance has an error of 0.5 steps, and of less
-/// than 0.01 from float rounding.
+/// Rounds distance and gradient: 0.5 steps, and less than 0.01 from float rounding.
 inline FieldNode rounded_node(const lanes::Pack<float>& node, float steps_per_cell) {
   lanes::Pack<float> scale = lanes::all(0.5F * kGradientScale);
   scale[0] = steps_per_cell;
@@ -154,12 +150,10 @@ inline Floats between(const Floats& near, const Floats& far, const Floats& t) {
 /// the lowest coordinates; `weights`: place in the cell along x, y and z, 0 to kWeightOne, and 0.
 ///
 /// Trilinear; `cubic`: exact for polynomials of third order. Along each axis Hermite's cubic of
-/// both nodes' distances and slopes, linear across it. The differences from a linear blend are
-/// summed over the axes (a Boolean sum without its mixed parts, after Gordon 1971). The gradient is
-/// the linear blend of the nodes' gradients.
+/// both nodes' distances and slopes; differences from a linear blend are summed over the axes (a
+/// Boolean sum without its mixed parts, after Gordon 1971). The gradient is the linear blend.
 ///
-/// All four numbers of a node are blended side by side, as they are in memory: along x pair by
-/// pair, then the four rows along y and z.
+/// The four numbers of a node are blended side by side: along x by pairs, then rows along y and z.
 ///
 /// Between nodes with distances p and q and slopes m and n the cubic is, for u = t (1-t), v = 1-2t,
 /// (1-t) p + t q  +  u v (p - q)  +  u ((1-t) m - t n).  Each number has one weight that needs no

@@ -66,8 +66,7 @@ class SignSpreader {
   void open(int x, int y, int z) { open_.push_back({x, y, z}); }
 
  private:
-  /// Calls visit(u, v, w, axes) for the nodes around a node until one returns true; `axes` is the
-  /// number of axes along which the two differ.
+  /// Calls visit(u, v, w, axes) around a node until true; `axes`: along how many the two differ.
   template <class Visit> bool any_around(int x, int y, int z, const Visit& visit) const {
     for (int w = std::max(z - 1, 0); w <= std::min(z + 1, counts_[2] - 1); ++w)
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, counts_[1] - 1); ++v)

@@ -1,14 +1,12 @@
 #pragma once
 
-#include "core/pack.h"
 #include "field/nearest_point.h"
 
 namespace contactscope {
 
 /// Finds the triangles of a surface that can be nearest to a point, or to a point of a cube, four
-/// at a time in single precision; a double decides among the few that are left. For fields: points
-/// are in a lattice whose corner is the origin, with coordinates that are exact in float, like all
-/// multiples of 1/8 cell up to 2^20.
+/// at a time in single precision; a double decides among the rest. Points are in a lattice whose
+/// corner is the origin, exact in float, like all multiples of 1/8 cell up to 2^20.
 ///
 /// A triangle can be nearest to a point p of a cube only if it has a point x with |p-x|^2 <=
 /// |p-q|^2, where q is the surface point nearest to the middle c. The difference of both sides is
@@ -47,8 +45,7 @@ class TriangleSieve {
   // Lists are filled, not returned, so that they reuse their memory.
 
   void fill(std::span<const int> triangles, List& list) const;
-  /// All triangles that can be nearest to a point of a cube. `near`: a surface point, at best the
-  /// one nearest to the cube's middle.
+  /// All triangles that can be nearest to a point of a cube. `near`: a surface point by its middle.
   void fill_around(const Vec3d& middle, double half_side, const Vec3d& near, List& list) const;
   /// The same within a list, plus some others.
   void fill_within(List& from, const Vec3d& middle, double half_side, const Vec3d& near,

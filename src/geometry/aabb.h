@@ -5,8 +5,7 @@
 
 namespace contactscope {
 
-/// Axis-aligned bounding box, closed, metres. By default empty: lower is +infinity and upper
-/// -infinity, so merging needs no special case.
+/// Axis-aligned bounding box, closed, metres. Empty at first: lower +infinity, upper -infinity.
 template <class S> struct Aabb {
   using Scalar = S;
 
@@ -34,8 +33,7 @@ template <class S> struct Aabb {
     }
   }
 
-  /// Rounds each coordinate to the nearest. Rounding is monotone, so the box of some points becomes
-  /// exactly the box of the rounded points.
+  /// Rounds to nearest, which is monotone: the box of points becomes that of the rounded points.
   template <class T> Aabb<T> cast() const {
     return {lower.template cast<T>(), upper.template cast<T>()};
   }

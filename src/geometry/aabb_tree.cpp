@@ -12,11 +12,9 @@ template <class S> trace::Box traced(const Aabb<S>& box) {
   return {box.lower.template cast<double>(), box.upper.template cast<double>()};
 }
 
-// Wald 2007: 16 bins come within a few per cent of a full sweep. Up to this many triangles get one
-// bin each.
+// Wald 2007: 16 bins come within a few per cent of a full sweep; so few triangles get one each.
 constexpr int kBins = 16;
-// Maximum size of a leaf. Splitting four triangles costs two tests of node boxes and saves about
-// two tests of triangle boxes.
+// Most triangles of a leaf: to split four costs two tests of nodes and saves two of triangles.
 constexpr int kMaxLeaf = 4;
 // A binned split may cut off a single triangle at a time. From this depth on, split in halves: the
 // remaining 32 levels suffice for any number of triangles that an int can count.
@@ -35,8 +33,7 @@ constexpr Lanes kInfinite = {kInfinity, kInfinity, kInfinity, kInfinity};
 float largest_of(const Lanes& lanes) { return std::max({lanes[0], lanes[1], lanes[2]}); }
 
 /// A box in registers for choosing cuts: its lower corner and its negated upper corner, so that
-/// growing it takes two minima. Rounded to floats in the unit of its part of the tree. The boxes of
-/// the final tree are not computed from it.
+/// growing takes two minima. Rounded to floats in the unit of its part; the final boxes are exact.
 struct RoughBox {
   Lanes lower, minus_upper;  // uninitialized
 
@@ -109,9 +106,8 @@ Counts all_lanes(int count) { return Counts{count, count, count, count}; }
 
 Lanes floats(const Counts& counts) { return __builtin_convertvector(counts, Lanes); }
 
-/// The best cut between two bins. On each axis the first and the last bin must have triangles; axes
-/// with `valid` 0 are skipped. Ties go to the first cut, x before y before z. All axes are swept in
-/// parallel.
+/// The best cut between two bins, all axes in parallel; on each axis with `valid` the first and the
+/// last bin must have triangles. Ties go to the first cut, x before y before z.
 BinCut best_cut(const Bins& bins, const Counts& valid) {
   const auto boxes = [&](int axis, int bin) -> const RoughBox& {
     return at(at(bins.boxes, axis), bin);
@@ -198,8 +194,7 @@ class Builder {
     return bounds;
   }
 
-  // `items` is a part of all items, and `bounds` is its box. Recursion depth is limited to
-  // kMaxAabbTreeDepth.
+  // `items`: a part of all; `bounds`: its box. At most kMaxAabbTreeDepth deep.
   void build(std::span<Item> items, RoughBox bounds, int depth) {
     assert(depth <= kMaxAabbTreeDepth);
     const std::size_t node = tree_.nodes.size();
@@ -253,10 +248,9 @@ class Builder {
         at(ranks, i) += before + 1;
       }
     }
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i)
       for (int axis = 0; axis < 3; ++axis)
         at(at(bins.boxes, axis), at(ranks, i)[axis]) = items[static_cast<std::size_t>(i)].box;
-    }
     const BinCut best = best_cut(bins, extent > 0);
     if (best.axis < 0) return {};
     const Bins::Row& sorted = at(bins.boxes, best.axis);

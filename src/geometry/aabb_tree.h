@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/static_vector.h"
-#include "core/vec3.h"
 #include "geometry/aabb.h"
 
 namespace contactscope {
@@ -18,8 +17,7 @@ struct Tree;
 ///          / |       / |               neither a stack nor parent links.
 ///         2   3     5   6
 ///
-/// Triangles are visited in array order: left before right, ascending within a leaf. The order
-/// depends only on the boxes.
+/// Triangles are visited in array order, left before right. It depends only on the boxes.
 template <class S> struct AabbTree {
   struct Node {
     Aabb<S> box;
@@ -42,8 +40,7 @@ template <class S> struct AabbTree {
   /// Box around all triangles; empty if there are none.
   Aabb<S> bounds() const { return nodes.empty() ? Aabb<S>{} : nodes.front().box; }
 
-  /// Calls visit(triangle) for each triangle whose own box overlaps or touches `box`. Does not
-  /// allocate.
+  /// Calls visit(triangle) for each triangle whose own box overlaps or touches `box`.
   template <class Visit> void query(const Aabb<S>& box, Visit&& visit) const {
     any_of(box, [&](int triangle) {
       visit(triangle);
@@ -51,8 +48,7 @@ template <class S> struct AabbTree {
     });
   }
 
-  /// True if holds(triangle) for any triangle that a query with `box` visits. Same order as query;
-  /// stops at the first one.
+  /// Whether holds(triangle) for any that a query with `box` visits; stops at the first.
   template <class Holds> bool any_of(const Aabb<S>& box, Holds&& holds) const {
     const OverlapsWith<S> overlaps_box(box);
     const auto holds_at = [&](int place) { return holds(at(triangles, place)); };
@@ -125,8 +121,7 @@ Aabb<S> box_of(std::span<const Vec3<S>> vertices, const std::array<int, 3>& corn
 /// Source: Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies".
 AabbTree<double> build_aabb_tree(std::span<const Aabb<double>> boxes);
 
-/// The same tree in another scalar type. Its boxes are exactly those of the rounded triangles,
-/// because rounding is monotone.
+/// The same tree in another scalar. Its boxes are those of the rounded triangles, as in Aabb::cast.
 template <class T> AabbTree<T> aabb_tree_cast(const AabbTree<double>& tree);
 
 }  // namespace contactscope

@@ -50,8 +50,7 @@ bool holds_all(const Ball& ball, const Support& points) {
   return true;
 }
 
-/// Smallest ball that contains at most five points, with the last one on its surface. Reduces
-/// `support` to the points on its surface.
+/// Smallest ball of at most five points, the last on its surface; `support`: those on its surface.
 std::optional<Ball> smallest_of_few(Support& support) {
   std::optional<Ball> smallest;
   Support kept;
@@ -115,8 +114,7 @@ template <class S> Obb<S> box_along(const Mat3<S>& axes, std::span<const Vec3<S>
   }
   const Extended middle = columns * extents.center();
   Obb<S> box{middle.cast<S>(), axes, Vec3<S>::Zero()};
-  // The rounded centre is slightly off the middle. Measured from there, positions far from the
-  // origin cost no digits.
+  // The rounded centre is off the middle. Measured from there, far positions cost no digits.
   Extended reach = Extended::Zero();
   for (const Vec3<S>& point : points) {
     const Extended offset =
@@ -284,8 +282,7 @@ template <class S> Obb<S> obb_of_kind(const Capsule<S>& capsule) {
     axes.col(2) = axes.col(0).cross(axes.col(1));
   }
   Obb<S> box = box_along<S>(axes.template cast<S>(), capsule.points);
-  // Rounding may make the axes longer or shorter than 1, or tilt them: add this margin to the
-  // radius.
+  // Rounding may make the axes longer or tilt them: add this margin to the radius.
   const Extended radius = Extended::Constant(capsule.radius);
   const long double more = along_axis ? 1 : 1 + 8 * std::numeric_limits<S>::epsilon();
   for (int k = 0; k < 3; ++k)
@@ -384,7 +381,6 @@ template <class S> std::optional<BoundingSphere<S>> bounding_sphere_of(const Sha
 }
 
 CONTACTSCOPE_FLOAT_AND_DOUBLE(sphere_around, aabb_of, bounding_sphere_of);
-template std::optional<Obb<float>> obb_of<float>(const Shape<float>&);
-template std::optional<Obb<double>> obb_of<double>(const Shape<double>&);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(obb_of);
 
 }  // namespace contactscope

@@ -25,8 +25,7 @@ struct Corner {
 /// boxes, more by least squares.
 Vec3d meet(const std::vector<Plane<double>>& planes) {
   if (planes.size() == 3) {
-    const Vec3d& a = planes[0].normal;
-    const Vec3d& b = planes[1].normal;
+    const Vec3d &a = planes[0].normal, &b = planes[1].normal;
     const Vec3d& c = planes[2].normal;
     const Vec3d bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
     const Vec3d sum = planes[0].offset * bc + planes[1].offset * ca + planes[2].offset * ab;
@@ -80,10 +79,9 @@ int vertex_that_it_stands_for(const Hull<double>& hull,
 /// The original's edge between two of its faces, or else the vertex of `corner`.
 FeatureRef edge_that_it_stands_for(const Hull<double>& hull, int left, int right,
                                    const Corner& corner) {
-  for (const int edge : hull.around_face(left)) {
+  for (const int edge : hull.around_face(left))
     if (at(hull.half_edges, Hull<double>::twin(edge)).face == right)
       return edge_ref(Owner::A, edge / 2);
-  }
   return vertex_ref(Owner::A, corner.original);
 }
 
@@ -95,9 +93,8 @@ CoreHull itself(const Hull<double>& hull, bool reduced) {
   return core;
 }
 
-/// Corners in the order of their original vertices. `planes` are the moved planes relative to the
-/// centroid, `dual` is the hull of their polar dual, and `face_of` maps its vertices to faces of
-/// the original.
+/// Corners in the order of their original vertices. `planes`: moved, relative to the centroid;
+/// `dual`: the hull of their polar dual, whose vertices `face_of` maps to original faces.
 std::vector<Corner> corners_of(const Hull<double>& hull, const std::vector<Plane<double>>& planes,
                                const Hull<double>& dual, const std::vector<int>& face_of) {
   std::vector<std::vector<int>> faces_of;

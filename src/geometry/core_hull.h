@@ -11,9 +11,8 @@ struct CoreHull {
   double margin = 0;     // metres; the distance by which the faces were moved
   bool reduced = false;  // `margin` is less than requested
 
-  // The feature of the original hull that each vertex, edge and face of the core corresponds to,
-  // owner A. If moving the faces splits a vertex with four or more, the new edges correspond to
-  // that vertex.
+  // The original feature, owner A, of each vertex, edge and face of the core. If moving the faces
+  // splits a vertex with four or more, the new edges are that vertex.
   std::vector<FeatureRef> vertices;
   std::vector<FeatureRef> edges;
   std::vector<FeatureRef> faces;

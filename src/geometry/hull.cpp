@@ -14,9 +14,8 @@ template <class S> void put(std::vector<S>& lanes, std::size_t i, const Vec3<S>&
   for (std::size_t k = 0; k < 3; ++k) lanes[k * stride + i] = vector[static_cast<int>(k)];
 }
 
-/// Half extents of a box that equals the result of make_box in every number, else zero. Also zero
-/// if squared lengths would leave the range of S: a box's edges must follow from its half extents
-/// to the last bit.
+/// Half extents of a box that equals the result of make_box in every number, else zero; zero also
+/// if squared lengths would leave the range of S.
 template <class S> Vec3<S> box_extents(const Hull<S>& hull) {
   const Vec3<S> none = Vec3<S>::Zero();
   const auto same = [](const HalfEdge& one, const HalfEdge& other) {

@@ -1,12 +1,10 @@
 #pragma once
 
 #include "core/pose.h"
-#include "core/vec3.h"
 
 namespace contactscope {
 
-/// Directed edge of a hull. The twin of half-edge i is i ^ 1, so undirected edge e consists of the
-/// half-edges 2e and 2e + 1.
+/// Directed edge of a hull. The twin of half-edge i is i ^ 1; edge e is half-edges 2e and 2e + 1.
 struct HalfEdge {
   int origin;  // vertex where it starts
   int next;    // next half-edge around the same face, counter-clockwise seen from outside
@@ -77,7 +75,6 @@ template <class S> struct Hull {
   /// Set by lay_out for boxes that equal the result of make_box in every number; otherwise zero.
   Vec3<S> half_extents = Vec3<S>::Zero();
   HullSeams<S> seams;  // empty: nowhere
-
   int vertex_count() const { return static_cast<int>(vertices.size()); }
   int edge_count() const { return static_cast<int>(half_edges.size() / 2); }
   int face_count() const { return static_cast<int>(planes.size()); }
@@ -86,7 +83,6 @@ template <class S> struct Hull {
   bool flat() const { return planes.size() == 2; }
   /// True if code may use half_extents and box_topology.h instead of the half-edges.
   bool is_box() const { return half_extents.x() > S(0); }
-
   static constexpr int twin(int half_edge) { return half_edge ^ 1; }
   const Vec3<S>& origin(int half_edge) const {
     return at(vertices, at(half_edges, half_edge).origin);
@@ -107,8 +103,7 @@ template <class S> struct Hull {
 /// Computes `hull.lanes` and `hull.half_extents`. Call it again after changing vertices or planes.
 template <class S> void lay_out(Hull<S>& hull);
 
-/// The same hull in another scalar type. Vertices, planes and centroid are rounded once from the
-/// input.
+/// The same hull in another scalar; vertices, planes and centroid are rounded once.
 template <class T, class S> Hull<T> hull_cast(const Hull<S>& hull);
 
 /// Vertex indices of a face, in the order of around_face.

@@ -22,9 +22,8 @@ namespace {
 constexpr double kArithmeticEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kTolerancePerEpsilon = 3;
 
-// Factors of the tolerance, tried in order. Merging can fail if the points are about as thin as the
-// tolerance. A finer tolerance merges less; the finest merges only what rounding makes coplanar,
-// which works for exact points.
+// Factors of the tolerance, tried in order: merging can fail if the points are about as thin as
+// that. The finest merges only what rounding makes coplanar, which works for exact points.
 constexpr std::array<double, 5> kAttempts = {1, 1.0 / 8, 1.0 / 64, 1.0 / 4096, 1.0 / 262144};
 
 // For double coordinates: rotating and moving them has lost a few bits.
@@ -99,11 +98,10 @@ bool straight(const std::vector<Vec2d>& outline, std::size_t from, std::size_t t
 }
 
 /// Convex polygon of points that lie within `tolerance` (metres) of one plane but not of one line:
-/// indices of its corners, counter-clockwise seen from one side. Corners within the tolerance of
-/// the line between their neighbours are dropped. `points` surround the origin and are all
-/// different. Steps: 1. the plane through distant points; 2. the convex outline of the points seen
-/// along its normal, from the leftmost corner on; 3. from each kept corner, skip to the last one
-/// for which all corners between are on a line.
+/// indices of its corners, counter-clockwise seen from one side. Corners within the tolerance of a
+/// line are dropped. `points` surround the origin and differ. Steps: 1. the plane through distant
+/// points; 2. the convex outline of the points seen along its normal, from the leftmost corner on;
+/// 3. from each kept corner, skip to the last one for which all corners between are on a line.
 std::vector<int> flat_outline(std::span<const Vec3d> points, double tolerance) {
   const auto corner = quickhull::initial_simplex(points, tolerance).points;
   const Vec3d& origin = at(points, corner[0]);
@@ -114,7 +112,6 @@ std::vector<int> flat_outline(std::span<const Vec3d> points, double tolerance) {
     const Vec3d arm = point - origin;
     return Vec2d(arm.dot(x), arm.dot(y));
   });
-
   const std::vector<int> corners = convex_outline(flat);
   const std::vector<Vec2d> outline = mapped(corners, [&](int i) { return at(flat, i); });
   std::vector<int> kept;
@@ -127,9 +124,8 @@ std::vector<int> flat_outline(std::span<const Vec3d> points, double tolerance) {
   return kept;
 }
 
-/// Hull from faces over all input points: drops unused points, keeps the order of the others. Each
-/// face starts at its lowest vertex and the faces are sorted, so that the order does not depend on
-/// the course of quickhull.
+/// Hull from faces over all input points, in their order without unused ones. Faces start at their
+/// lowest vertex and are sorted, so that the order does not depend on the course of quickhull.
 Hull<double> compact(std::span<const Vec3d> points, std::vector<std::vector<int>> faces) {
   std::vector<int> number(points.size(), -1);
   for (const std::vector<int>& face : faces)
@@ -241,17 +237,15 @@ double hull_tolerance(std::span<const Vec3d> points, double epsilon) {
 Hull<double> build_hull(std::span<const Vec3d> points, const HullOptions& options) {
   const std::size_t least = options.allow_flat ? 3 : 4;
   const std::string number = options.allow_flat ? "three" : "four";
-  if (points.size() < least) {
+  if (points.size() < least)
     throw ShapeError("a hull needs at least " + number + " points, got " +
                      std::to_string(points.size()));
-  }
   require_finite(points);
   const std::vector<int> distinct = distinct_points(points, options.weld_duplicates);
-  if (distinct.size() < least) {
+  if (distinct.size() < least)
     throw ShapeError("only " + std::to_string(distinct.size()) + " of the " +
                      std::to_string(points.size()) +
                      " points are different; a hull needs at least " + number);
-  }
   const std::vector<Vec3d> kept = mapped(distinct, [&](int i) { return at(points, i); });
 
   const auto [local, exponent] = UnitPoints(kept);

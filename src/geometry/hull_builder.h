@@ -12,9 +12,8 @@ namespace contactscope {
 /// Newell's method through the mean of the face's vertices; centroid and radius belong to the
 /// solid. Two faces make a flat hull, on the plane of the first.
 ///
-/// Topology is checked; the caller guarantees convexity and planarity. Throws ShapeError if the
-/// polygons do not bound one solid without handles, leave a vertex unused, or if a face has more
-/// than kMaxFaceVertices.
+/// The caller guarantees convexity and planarity. Throws ShapeError if the polygons do not bound
+/// one solid without handles, leave a vertex unused, or if a face has more than kMaxFaceVertices.
 Hull<double> hull_from_polygons(std::vector<Vec3d> vertices,
                                 const std::vector<std::vector<int>>& faces);
 

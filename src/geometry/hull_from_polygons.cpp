@@ -16,11 +16,10 @@ void check_face(int face, const std::vector<int>& vertices, int vertex_count) {
   const std::string name = "face " + std::to_string(face);
   const std::size_t count = vertices.size();
   if (count < 3) not_closed(name + " has fewer than three vertices");
-  if (count > kMaxFaceVertices) {
+  if (count > kMaxFaceVertices)
     throw ShapeError("a face has " + std::to_string(count) +
                      " vertices; a hull's face has at most " + std::to_string(kMaxFaceVertices) +
                      "; give a coarser outline");
-  }
   for (std::size_t i = 0; i < count; ++i) {
     if (vertices[i] < 0 || vertices[i] >= vertex_count)
       not_closed(name + " names a vertex that does not exist");
@@ -49,10 +48,9 @@ void link_edges(Hull<double>& hull, const std::vector<std::vector<int>>& faces) 
         hull.half_edges.push_back({origin, -1, -1});
         hull.half_edges.push_back({target, -1, -1});
       }
-      if (at(hull.half_edges, half_edge).face >= 0) {
+      if (at(hull.half_edges, half_edge).face >= 0)
         not_closed("the edge from vertex " + std::to_string(origin) + " to " +
                    std::to_string(target) + " is in two faces in the same direction");
-      }
       at(hull.half_edges, half_edge).face = face;
       if (i == 0) hull.face_edges.push_back(half_edge);
       if (i > 0) at(hull.half_edges, previous).next = half_edge;
@@ -66,10 +64,9 @@ void link_edges(Hull<double>& hull, const std::vector<std::vector<int>>& faces) 
 }
 
 void check_closed(const Hull<double>& hull) {
-  for (const HalfEdge& edge : hull.half_edges) {
+  for (const HalfEdge& edge : hull.half_edges)
     if (edge.face < 0)
       not_closed("an edge at vertex " + std::to_string(edge.origin) + " has one face");
-  }
   for (std::size_t i = 0; i < hull.vertex_edges.size(); ++i)
     if (hull.vertex_edges[i] < 0) not_closed("vertex " + std::to_string(i) + " is in no face");
   const int euler = hull.vertex_count() - hull.edge_count() + hull.face_count();
@@ -100,9 +97,8 @@ std::vector<Vec3d> corners_about(const Hull<double>& hull, int face, const Vec3d
                 [&](int vertex) -> Vec3d { return (at(hull.vertices, vertex) - middle) / scale; });
 }
 
-/// Centre of mass at uniform density: mean of the tetrahedra between an inner point and a fan of
-/// each face, weighted by volume. Scaled by the solid's size, so that no product of lengths leaves
-/// the range of double.
+/// Centre of mass: mean of the tetrahedra between an inner point and a fan of each face, weighted
+/// by volume, scaled by the solid's size, so that no product of lengths leaves the range of double.
 Vec3d centroid_by_volume(const Hull<double>& hull) {
   const Vec3d inside = mean_of(hull.vertices);
   const double scale = largest_offset(hull.vertices, inside);
@@ -138,8 +134,7 @@ Vec3d centroid_by_area(const Hull<double>& hull) {
   return first + scale / area * moment;
 }
 
-/// Plane through the mean of a polygon's vertices, given in order, with unit normal. At least three
-/// vertices, not all on one line.
+/// Plane through the mean of a polygon's vertices in order, not all on one line; unit normal.
 Plane<double> newell_plane(const std::vector<Vec3d>& vertices) {
   const Vec3d mean = mean_of(vertices);
   const int exponent = std::ilogb(largest_offset(vertices, mean));

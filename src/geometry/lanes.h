@@ -23,7 +23,6 @@ template <class S> class VectorLanes {
   const S* x() const { return values_; }
   const S* y() const { return values_ + stride_; }
   const S* z() const { return values_ + 2 * stride_; }
-
   Vec3<S> operator[](int i) const { return {x()[i], y()[i], z()[i]}; }
 
  private:
@@ -32,8 +31,7 @@ template <class S> class VectorLanes {
   int stride_;
 };
 
-/// n . p with the order of additions that all queries use, so that a loop over lanes and a single
-/// evaluation give the same bits.
+/// n . p with the order of additions of all queries: loops over lanes give the same bits.
 template <class S> inline S dot(S nx, S ny, S nz, S px, S py, S pz) {
   return (nx * px + ny * py) + nz * pz;
 }

@@ -63,8 +63,7 @@ std::vector<int> loop_from(const Mesh& mesh, int first) {
   return edges;
 }
 
-/// Deepest notch of the polygon whose corners are the origins of `edges`, counter-clockwise seen
-/// from the tip of `normal`.
+/// Deepest notch of the polygon of `edges`' origins, counter-clockwise from the tip of `normal`.
 Notch deepest(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& normal) {
   const std::size_t count = edges.size();
   const auto corner = [&](std::size_t i) -> const Vec3d& {
@@ -82,8 +81,7 @@ Notch deepest(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& norm
   return notch;
 }
 
-/// The corner to cut to from the origin of edges[0], as an index into `edges`; 0 if every cut
-/// leaves an equally deep notch.
+/// The corner to cut to from edges[0]'s origin, as an index; 0: every cut leaves as deep a notch.
 std::size_t best_cut(const Mesh& mesh, const std::vector<int>& edges, const Vec3d& normal) {
   std::size_t best = 0;
   double best_depth = deepest(mesh, edges, normal).depth;

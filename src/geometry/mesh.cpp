@@ -16,11 +16,10 @@ constexpr double kSliverHeight = 1.0 / 16;
 using Triangles = std::span<const std::array<int, 3>>;
 
 void require_finite(const std::vector<Vec3d>& vertices) {
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
+  for (std::size_t i = 0; i < vertices.size(); ++i)
     if (!vertices[i].allFinite())
       throw ShapeError("vertex " + std::to_string(i) +
                        " has a coordinate that is not a finite number; give three finite ones");
-  }
   if (!vertices.empty() && !box_around(vertices).extent().allFinite())
     throw ShapeError("the mesh is too large for its number type; scale it down to metres");
 }
@@ -173,8 +172,7 @@ template <class S> double bend_angle(const Mesh<S>& mesh, int triangle, int edge
   const double sine = here.cross(there).dot(along.stableNormalized());
   const double cosine = here.dot(there);
   const double angle = std::atan2(sine, cosine);
-  // A sheet folded onto itself: rounding may decide the sign. Treat it as convex, an edge that can
-  // be touched; a crease this sharp cannot.
+  // A sheet folded onto itself: rounding may decide the sign. As convex, the edge can be touched.
   return angle < kFlatEdgeAngle - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 

@@ -14,19 +14,16 @@ enum class EdgeClass : std::uint8_t {
 };
 
 /// Edges bent by less belong to the tessellation, not to the surface: radians, one degree. Contact
-/// with such an edge takes the normal of a face, so this also bounds the error of that normal. As
-/// an angle it holds at every scale. Its value comes from file formats: coordinates with six digits
-/// or in single precision make a triangle's normal uncertain by their rounding over its height.
-/// With one degree a flat floor stays flat down to triangles ten thousand times thinner than its
-/// length.
+/// with such an edge takes the normal of a face, so this also bounds the error of that normal. Its
+/// value comes from files: six digits or single precision make a normal uncertain by their rounding
+/// over the triangle's height. With one degree a flat floor stays flat down to triangles ten
+/// thousand times thinner than its length.
 inline constexpr double kFlatEdgeAngle = 0.017453292519943295;
 
-/// A triangle lower than this fraction of its longest edge is a sliver: a small displacement of a
-/// corner turns its normal by a large angle.
+/// A triangle lower than this fraction of its longest edge is a sliver, with an uncertain normal.
 inline constexpr double kSliver = 0.01;
 
-/// A seam is at most this wide, relative to the shape's largest coordinate: the rounding of files with
-/// six digits.
+/// Widest seam relative to the largest coordinate: the rounding of files with six digits.
 inline constexpr double kSeam = 1e-6;
 
 /// Triangles with one front side and shared edges, local frame, metres. Made by build_mesh, or by
@@ -56,7 +53,6 @@ template <class S> struct Mesh {
   std::vector<std::uint8_t> slivers;  // 1: lower than kSliver of the longest edge; otherwise 0
   AabbTree<S> tree;
   double seam = kSeam;  // how wide seams may be, see weld()
-
   int triangle_count() const { return static_cast<int>(triangles.size()); }
   /// Corner k, 0 <= k < 3, of a triangle.
   const Vec3<S>& corner(int triangle, int k) const {
@@ -136,8 +132,7 @@ template <class S> double bend_angle(const Mesh<S>& mesh, int triangle, int edge
 /// than kFlatEdgeAngle. The caller must reject infinite and huge coordinates.
 Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 
-// Triangles without area collide as segments and points. A mesh can get them by deformation or by
-// rounding to float.
+// Triangles without area, from deformation or rounding, collide as segments and points.
 
 template <class S> bool has_area(const Mesh<S>& mesh, int triangle) {
   return !mesh.normal(triangle).isZero(S(0));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/pose.h"
-#include "geometry/mesh.h"
 #include "geometry/shape.h"
 
 namespace contactscope {
@@ -17,12 +16,10 @@ struct SurfaceEdge {
   Vec3d normal;       // unit, of the surface at the edge
 };
 
-/// The width of a seam at an edge, at most `widest`, metres. Edges that are hardly longer than a seam
-/// may lie next to each other by chance.
+/// Width of a seam at an edge, at most `widest`, metres; less where edges are as short as seams.
 double seam_width(const SurfaceEdge& edge, double widest);
 
-/// Steps 2 and 3 of find_seams: the index of the edge in which the surface continues, of those that
-/// are near; -1: none.
+/// Steps 2 and 3 of find_seams: the near edge in which the surface continues; -1: none.
 int continuation(const SurfaceEdge& edge, const std::vector<SurfaceEdge>& near, double width);
 
 /// The widest seam of these edges, metres.
@@ -34,9 +31,8 @@ template <class S>
 std::vector<SurfaceEdge> edges_of_wide_triangles(const Mesh<S>& mesh,
                                                  std::vector<TriangleEdge>& edges);
 
-/// Mesh::seams of some boundary edges: where the surface continues although no edge is shared.
-/// Either the vertices on both sides of a crack differ by rounding, or one long edge meets several
-/// short ones in T-junctions.
+/// Mesh::seams: boundary edges where the surface continues although no edge is shared. The sides of
+/// a crack differ by rounding, or one long edge meets several short ones in T-junctions.
 ///
 ///     +-----+-----+     Steps for an edge:
 ///     |   / |   / |     1. collect the other edges whose boxes meet its box;
@@ -45,10 +41,9 @@ std::vector<SurfaceEdge> edges_of_wide_triangles(const Mesh<S>& mesh,
 ///      \         /      3. if the parts leave no gap, and the surface bends equally at all of them
 ///        \     /           within kFlatEdgeAngle, it continues in the triangle of the longest.
 ///
-/// Vertices and triangles stay as given. Triangles as thin as a seam have none. Empty if there are no
-/// seams. `alone`: edges of one triangle each; the mesh's neighbours and normals are set. Edges of
-/// other surfaces, in the mesh's frame, are numbered from triangle_count() on. O(n log n) unless very
-/// many edges meet.
+/// Vertices and triangles stay as given; those as thin as a seam have none. Empty without seams.
+/// `alone`: edges of one triangle each. Edges of other surfaces, in the mesh's frame, are numbered
+/// from triangle_count() on. O(n log n) unless very many edges meet.
 template <class S>
 std::vector<std::array<int, 3>> find_seams(const Mesh<S>& mesh, std::vector<TriangleEdge> alone,
                                            const std::vector<SurfaceEdge>& others = {});
@@ -74,10 +69,9 @@ struct PlacedSurface {
 /// 2. a surface continues beyond an edge of a face that is not covered, or a boundary edge of a
 ///    mesh, in the other shapes' edges that lie on it, as in find_seams().
 ///
-/// Gaps may be as wide as a seam, a share of the shape's largest coordinate in its own frame. An edge
-/// on which others lie only in part has no seam. O(n^2) in shapes. Returns the indices of the shapes
-/// with seams and of those that they are with, ascending: these have Hull::seams too, so that two
-/// hulls of one surface are known as such.
+/// Gaps may be as wide as a seam, relative to the shape in its own frame. An edge on which others
+/// lie only in part has no seam. O(n^2) in shapes. Returns the indices of the shapes with seams and
+/// of their partners, ascending: these have Hull::seams too.
 std::vector<std::size_t> join_seams(std::span<const PlacedSurface> shapes);
 
 }  // namespace contactscope

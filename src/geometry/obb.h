@@ -5,9 +5,8 @@
 
 namespace contactscope {
 
-/// Oriented bounding box, closed, metres: the points center + s0 axes[0] + s1 axes[1] + s2 axes[2]
-/// with |sk| <= half_extents[k]. Empty by default: half extents of -1. One half extent of 0 makes
-/// it flat, three make it a point.
+/// Oriented bounding box, closed, metres: center + s0 axes[0] + s1 axes[1] + s2 axes[2] with |sk|
+/// <= half_extents[k]. Empty by default: half extents of -1. A half extent may be 0.
 ///
 /// The axes are the columns of `axes`, orthonormal to 8 epsilon: no entry of A^T A - I is larger. A
 /// rotation matrix from a unit quaternion satisfies this.
@@ -33,8 +32,7 @@ template <class S> struct Obb {
   friend bool operator==(const Obb&, const Obb&) = default;
 };
 
-/// Transforms a box from its own frame to the parent of `pose`. Centre and axes are rounded like
-/// the shape's vertices.
+/// To the parent of `pose`; centre and axes are rounded like the shape's vertices.
 template <class S> Obb<S> placed(const Obb<S>& box, const Pose<S>& pose) {
   const Mat3<S> rotation = pose.rotation.toRotationMatrix();
   Obb<S> result = box;
@@ -52,12 +50,10 @@ template <class S> struct BoundingSphere {
 
   /// True if no point is inside, and for a sphere with NaN.
   bool empty() const { return !(radius >= 0) || center.hasNaN(); }
-
   friend bool operator==(const BoundingSphere&, const BoundingSphere&) = default;
 };
 
-/// Transforms a sphere from its own frame to the parent of `pose`. Its centre is rounded like the
-/// shape's vertices.
+/// To the parent of `pose`; the centre is rounded like the shape's vertices.
 template <class S> BoundingSphere<S> placed(const BoundingSphere<S>& sphere, const Pose<S>& pose) {
   return {pose.transform(sphere.center), sphere.radius};
 }

@@ -34,10 +34,9 @@ struct Contents {
   std::vector<int> lines;               // line of each face, from 1
 };
 
-/// Validates the text that tinyobjloader reads, which silently replaces errors by zero: vertices
-/// without three finite numbers, faces with vertices that do not exist. Also reads the whole faces,
-/// because tinyobjloader's triangulation depends on the position of the origin and loses parts of
-/// concave faces.
+/// Validates what tinyobjloader silently replaces by zero: vertices without three finite numbers,
+/// faces with vertices that do not exist. Also reads whole faces: its triangulation depends on the
+/// position of the origin and loses parts of concave faces.
 class Checker {
  public:
   /// `text`: with continued lines joined by join_lines(), which keeps every byte's position;
@@ -50,20 +49,18 @@ class Checker {
     while (next_line()) {
       const std::string_view statement = next_word();
       if (statement.empty() || statement[0] == '#') continue;
-      if (std::ranges::find(kStatements, statement) == kStatements.end()) {
+      if (std::ranges::find(kStatements, statement) == kStatements.end())
         fail(quoted(statement) +
              " is not a keyword of the .obj format; expected v, f or another one");
-      }
       if (statement == "v") check_vertex();
       if (statement == "f") check_face();
     }
     if (vertices_ == 0)
       throw InputError(path_, 0, 0, "the file has no vertex; a shape needs 'v x y z' lines");
-    if (largest_index_ > vertices_) {
+    if (largest_index_ > vertices_)
       throw InputError(path_, line_of_largest_, 1,
                        "the face names vertex " + std::to_string(largest_index_) +
                            ", but the file has " + std::to_string(vertices_));
-    }
     return std::move(contents_);
   }
 
@@ -106,11 +103,10 @@ class Checker {
       if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
       double value = 0;
       const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
+      if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
         fail(std::string("the vertex's ") + axis +
              (word.empty() ? " is missing" : " is " + quoted(word)) +
              "; a vertex is 'v' and three finite numbers");
-      }
     }
     ++vertices_;
   }
@@ -186,7 +182,6 @@ Contents read(const std::string& path) {
   if (!file) refuse("the file cannot be opened; is its name right?");
   const std::string written{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (written.empty()) refuse("the file is empty; expected a Wavefront .obj");
-
   const std::string text = join_lines(written);
   Contents contents = Checker(path, text, written).run();
   tinyobj::callback_t callbacks;
@@ -207,7 +202,6 @@ std::vector<Vec3d> load_obj_vertices(const std::string& path) {
   std::vector<bool> used(contents.vertices.size(), contents.faces.empty());
   for (const std::vector<int>& face : contents.faces)
     for (const int vertex : face) at(used, vertex) = true;
-
   std::vector<Vec3d> points;
   std::set<std::tuple<double, double, double>> seen;
   for (std::size_t i = 0; i < contents.vertices.size(); ++i) {
@@ -220,20 +214,17 @@ std::vector<Vec3d> load_obj_vertices(const std::string& path) {
 
 ObjMesh load_obj_mesh(const std::string& path) {
   Contents contents = read(path);
-  if (contents.faces.empty()) {
+  if (contents.faces.empty())
     throw InputError(path, 0, 0,
                      "the file has no face; a mesh needs 'f' lines as well as 'v' lines");
-  }
-
   ObjMesh mesh;
   mesh.vertices = std::move(contents.vertices);
   for (std::size_t i = 0; i < contents.faces.size(); ++i) {
     const std::vector<int>& face = contents.faces[i];
-    if (face.size() < 3) {
+    if (face.size() < 3)
       throw InputError(path, contents.lines[i], 1,
                        "the face has " + counted(face.size(), "vertex", "vertices") +
                            "; a face of a mesh has at least three");
-    }
     const auto place = [&](int vertex) { return at(mesh.vertices, vertex); };
     for (const std::array<int, 3>& ear : triangulate_polygon(mapped(face, place)))
       mesh.triangles.push_back({at(face, ear[0]), at(face, ear[1]), at(face, ear[2])});

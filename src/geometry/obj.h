@@ -5,10 +5,9 @@
 namespace contactscope {
 
 /// Points of a Wavefront .obj file, as input of build_hull: the vertices that its faces use, or all
-/// vertices if the file has no face. (Tools leave unused vertices behind; they must not enlarge the
-/// hull.) Equal points are welded; the file's order, units and axes are kept. Every `v` line is
-/// checked; materials, normals and texture coordinates are ignored. A backslash at the end of a
-/// line joins it with the next one.
+/// vertices if the file has no face. Equal points are welded; the file's order, units and axes are
+/// kept. Every `v` line is checked; materials, normals and texture coordinates are ignored. A
+/// backslash at the end of a line joins it with the next one.
 ///
 /// Throws InputError, with the line if possible: the file cannot be read, is not a regular file or
 /// not .obj, a face has more than 10,000 corners, a coordinate is missing or not finite, a face
@@ -25,8 +24,7 @@ struct ObjMesh {
 /// more corners. Normals, texture coordinates and materials are ignored: the front of a face is
 /// where its vertices run counter-clockwise. Faces without area are left to build_mesh.
 ///
-/// Throws InputError as load_obj_vertices does, and if there is no face or a face has fewer than
-/// three vertices.
+/// Throws InputError as above, and without a face, or for one of fewer than three vertices.
 ObjMesh load_obj_mesh(const std::string& path);
 
 }  // namespace contactscope

@@ -39,8 +39,7 @@ Exact two_product(double a, double b, const Exact& halves) {
   return {other.tail * halves.tail - error, head};
 }
 
-/// A number as an exact sum of terms. They do not overlap, ascend in magnitude and are never 0, so
-/// the last term has the sign of the sum.
+/// An exact sum of nonzero terms that do not overlap and ascend, so the last one has its sign.
 template <int kMax> struct Expansion {
   std::array<double, static_cast<std::size_t>(kMax)> terms;  // only the first `count` are set
   int count = 0;
@@ -68,8 +67,7 @@ Expansion<2> difference(double a, double b) {
   return result;
 }
 
-/// FAST-EXPANSION-SUM without zeros: adds the terms of both in ascending magnitude. `sign`
-/// multiplies the second operand.
+/// FAST-EXPANSION-SUM without zeros: a + sign b, terms in ascending magnitude.
 template <int kA, int kB>
 Expansion<kA + kB> sum(const Expansion<kA>& a, const Expansion<kB>& b, double sign = 1) {
   int i = 0, j = 0;

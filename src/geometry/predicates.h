@@ -5,18 +5,15 @@
 namespace contactscope {
 
 /// Geometric predicates with exact signs, after Shewchuk 1997, "Adaptive Precision Floating-Point
-/// Arithmetic and Fast Robust Geometric Predicates". Each evaluates its determinant in double
-/// first, with a bound on the rounding error (section 4.3, filter A). If the bound does not settle
-/// the sign, it is computed exactly.
+/// Arithmetic and Fast Robust Geometric Predicates": each evaluates its determinant in double with
+/// a rounding bound (section 4.3, filter A), and exactly if that does not settle the sign.
 ///
-/// Deviations: between the filter and exact expansions we try arithmetic in 128-bit integers. It is
-/// exact and ten times faster, and works if all coordinates of a call share a grid of at most 41
-/// bits, as floats of similar size and points on a plane do. Shewchuk's stages B and C are left
-/// out.
+/// Deviations: between the two we try 128-bit integers, exact and ten times faster, if all
+/// coordinates of a call share a grid of at most 41 bits, as floats of similar size and points on a
+/// plane do. Shewchuk's stages B and C are left out.
 ///
 /// Valid for coordinates that are 0 or of magnitude 1e-75 to 1e100, so that no product overflows or
-/// loses bits to underflow. Also valid for every finite float, subnormals included: multiples of
-/// 2^-149 lose no bits either.
+/// loses bits, and for every finite float, subnormals included.
 namespace predicates {
 
 /// Relative rounding error of a sum or product of doubles is at most half of this.
@@ -28,8 +25,7 @@ inline constexpr double kUnit = 0x1p-52;
 inline constexpr double kOrient2dError = 2 * kUnit;
 inline constexpr double kOrient3dError = 4 * kUnit;
 
-/// The determinants behind orient2d and orient3d, correct up to a few roundings and with the exact
-/// sign. Hundreds of nanoseconds at worst.
+/// The determinants, correct up to a few roundings and in sign. Hundreds of nanoseconds at worst.
 double exact_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, int axis);
 double exact_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
 
@@ -39,7 +35,6 @@ inline int sign_of(double value) { return (value > 0) - (value < 0); }
 struct Filtered {
   double value;  // as rounded
   double error;  // |value - exact| is at most this
-
   bool certain() const { return std::abs(value) > error; }
 };
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/input_error.h"
-#include "core/vec3.h"
 #include "geometry/hull.h"
 #include "geometry/mesh.h"
 
@@ -27,9 +25,8 @@ Hull<double> make_cone(double radius, double half_height, int segments);
 /// Maximum number of cells of a grid: four million triangles. A larger number is probably a typo.
 inline constexpr int kMaxGridCells = 2'000'000;
 
-/// Height field centred on the origin of its frame in the x-z plane, y up, metres; the front is
-/// above. `size` is the whole side, divided into `cells` equal cells of two triangles each.
-/// Heights:
+/// Height field centred on the origin in the x-z plane, y up, metres; the front is above. `size`:
+/// the whole side, divided into `cells` of two triangles each. Heights:
 ///   y = amplitude sin(3 tau x / size_x) cos(3 tau z / size_z), tau = 2 pi.
 /// That is three waves along each side, exactly flat for amplitude 0. Vertex i + (cells_x + 1) j is
 /// the i-th along +x in row j along +z. Cell c = i + cells_x j has triangles 2c, at the corner of

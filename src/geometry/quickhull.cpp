@@ -36,10 +36,9 @@ struct Horizon {
   std::vector<int> edges;    // boundary edges of visible faces, counter-clockwise
 };
 
-/// The connected faces around `face` that `eye` is above by more than `tolerance`, and the loop of
-/// edges around them; `eye` must be above `face`. `edges` is empty if, due to the tolerance, the
-/// visible faces have no boundary, a hole or a pinched vertex: no cone of triangles could then
-/// close the hull.
+/// The connected faces around `face` that `eye`, above `face`, is above by more than `tolerance`,
+/// and the loop of edges around them; `edges` is empty if the visible faces have no boundary, a
+/// hole or a pinched vertex: no cone of triangles could then close the hull.
 Horizon find_horizon(const Mesh& mesh, int face, int eye, double tolerance) {
   Horizon horizon;
   horizon.visible.push_back(face);
@@ -54,10 +53,9 @@ Horizon find_horizon(const Mesh& mesh, int face, int eye, double tolerance) {
   }
 
   std::vector<int> boundary;  // unordered
-  for (const int visible : horizon.visible) {
+  for (const int visible : horizon.visible)
     for (const int e : mesh.around(visible))
       if (!seen.contains(mesh.neighbour(e))) boundary.push_back(e);
-  }
   if (boundary.empty()) return horizon;
 
   // Walk around: at each target, turn through the visible faces to the next boundary edge.
@@ -91,8 +89,7 @@ class Builder {
     deal_out(others, faces);
   }
 
-  /// Finally merges faces that are coplanar within `merging`, unless that leaves an edge steeper
-  /// than `steepest`.
+  /// Merges faces coplanar within `merging`, unless that leaves an edge steeper than `steepest`.
   void grow(double merging, double steepest) {
     while (!queue_.empty() && !mesh_.broken()) {
       const auto [distance, minus_face, eye] = queue_.top();
@@ -120,7 +117,6 @@ class Builder {
     std::vector<int> touched = horizon.visible;
     touched.insert(touched.end(), fresh.begin(), fresh.end());
     merge_cone(mesh_, fresh, tolerance_, touched);
-
     std::vector<int> orphans;
     std::vector<int> homes;
     for (const int i : touched) {
@@ -208,8 +204,7 @@ bool is_convex(const Mesh& mesh, double slack) {
 }
 
 /// Maximum tolerance as a fraction of the thickness. At the sharp rim of a thin hull, a point one
-/// tolerance above the planes can be many tolerances away from the hull. A tolerance that suits the
-/// extent would cut the rim back.
+/// tolerance above the planes can be far away; one that suits the extent would cut the rim back.
 constexpr double kPartOfThickness = 1.0 / 100;
 
 /// Rounding error of double arithmetic at coordinates of magnitude 1, as in hull_builder.cpp.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
 #include "core/vec3.h"
 #include "geometry/hull.h"
 
@@ -26,8 +25,7 @@ struct Result {
   double steepest_edge = 0;  // largest sine between an edge and the plane of an adjacent face
 };
 
-/// Quickhull. `points` surround the origin with coordinates of magnitude 1, all different;
-/// `tolerance` has the same unit.
+/// Quickhull. `points` differ, surround the origin, and are of magnitude 1, as is `tolerance`.
 Result run(std::span<const Vec3d> points, double tolerance);
 
 /// Largest sine between an edge and its faces. A steeper edge disagrees with the direction of its
@@ -35,9 +33,8 @@ Result run(std::span<const Vec3d> points, double tolerance);
 /// edge if points lie within some thousand tolerances of each other.
 inline constexpr double kSteepest = 1.0 / 4096;
 
-/// The same for points that are so close together. While the hull grows, only differences within
-/// rounding are merged. Then neighbours that are coplanar within `tolerance` are merged, unless an
-/// edge would become steeper than kSteepest.
+/// For points so close together: the growing hull merges only differences within rounding, and then
+/// neighbours coplanar within `tolerance`, unless an edge would become steeper than kSteepest.
 Result run_with_near_points(std::span<const Vec3d> points, double tolerance);
 
 // Steps of run().
@@ -82,7 +79,6 @@ struct Face {
 class Mesh {
  public:
   explicit Mesh(std::span<const Vec3d> points);
-
   std::span<const Vec3d> points() const { return points_; }
   const Vec3d& point(int i) const { return at(points_, i); }
   /// Includes removed faces.
@@ -127,8 +123,7 @@ class Mesh {
   /// of the face that leaves it. The part that begins with `one` becomes a new face, the last one.
   void split(int one, int other);
 
-  /// True after a fix-up or a caller found that the mesh bounds no solid; do not use it any
-  /// further.
+  /// True if the mesh bounds no solid, after a fix-up or for a caller; do not use it any further.
   bool broken() const { return broken_; }
   void give_up() { broken_ = true; }
 

@@ -104,15 +104,13 @@ void Mesh::split(int one, int other) {
   const int added = face_count();
   const int forth = count_of(edges_);
   const int back = forth + 1;
-  const int before_one = edge(one).previous;
-  const int before_other = edge(other).previous;
+  const int before_one = edge(one).previous, before_other = edge(other).previous;
   edges_.push_back({edge(one).origin, -1, -1, back, kept});
   edges_.push_back({edge(other).origin, -1, -1, forth, added});
   follow(before_one, forth);
   follow(forth, other);
   follow(before_other, back);
   follow(back, one);
-
   faces_.emplace_back().edge = back;
   face(kept).edge = forth;
   for (const int e : around(added)) edge_at(e).face = added;
@@ -165,8 +163,7 @@ void Mesh::remove_vertex(int vertex, std::vector<int>& vertices, std::vector<int
 void Mesh::remove_two_gon(int face_index, std::vector<int>& vertices) {
   const int x = face(face_index).edge;
   const int y = edge(x).next;
-  const int outside_x = edge(x).twin;
-  const int outside_y = edge(y).twin;
+  const int outside_x = edge(x).twin, outside_y = edge(y).twin;
   if (edge(outside_x).face == edge(outside_y).face || outside_x == y) {
     broken_ = true;
     return;

@@ -3,9 +3,8 @@
 namespace contactscope {
 namespace {
 
-/// Distance of a shape's centre from its origin, in radii, beyond which it is moved. Below this,
-/// the distance costs at most two of float's 24 bits, and the shape stays bit for bit. As a ratio
-/// it holds at every scale.
+/// Distance of a shape's centre from its origin, in radii, beyond which it is moved. Below, that
+/// costs at most two of float's 24 bits, and the shape stays bit for bit.
 constexpr double kFarthestMiddle = 4;
 
 /// Spheres are centred at the origin, and planes have no size.
@@ -103,11 +102,10 @@ template <class T> Shape<T> shape_cast(const Shape<double>& shape) {
   if (const auto* hull = std::get_if<Hull<double>>(&shape)) return hull_cast<T>(*hull);
   if (const auto* half_space = std::get_if<HalfSpace<double>>(&shape))
     return HalfSpace<T>{half_space->plane.cast<T>()};
-  if (const auto* field = std::get_if<Field<double>>(&shape)) {
+  if (const auto* field = std::get_if<Field<double>>(&shape))
     return Field<T>{field->values, field->origin, field->cell,
                     std::make_shared<const FieldSource<T>>(
                         FieldSource<T>{shape_cast<T>(field->source->shape)})};
-  }
   return mesh_cast<T>(std::get<Mesh<double>>(shape));
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/hull.h"
 #include "geometry/mesh.h"
 
@@ -17,16 +16,14 @@ template <class S> struct Capsule {
   S radius = 0;                   // metres, > 0
 };
 
-/// Everything below a plane: the points x with normal . x <= offset, own frame. Scenarios and
-/// engines call it "plane".
+/// Everything below a plane: normal . x <= offset, own frame. Scenarios call it "plane".
 template <class S> struct HalfSpace { Plane<S> plane; };
 
 class DistanceField;  // src/field
 template <class S> struct FieldSource;
 
-/// A solid given by a lattice of signed distances (field/distance_field.h) and the shape it was
-/// built from, in one frame. Scenarios call it "sdf". Bounds, mass and pictures use the source
-/// shape.
+/// A solid given by a lattice of signed distances (field/distance_field.h), "sdf" in scenarios.
+/// Bounds, mass and pictures use the shape it was built from, in the same frame.
 template <class S> struct Field {
   std::shared_ptr<const DistanceField> values;   // unit: a cell
   Vec3d origin = Vec3d::Zero();                  // origin of the lattice, own frame, metres

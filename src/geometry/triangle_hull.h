@@ -10,8 +10,7 @@ namespace contactscope {
 /// faces back to back, 0 the front and 1 the back. It has no volume; its centroid is the
 /// triangle's. Create it once and set it to one triangle after another, without allocations.
 ///
-/// Its frame has the mesh's axes and its origin at the triangle's corner 0, so coordinates stay
-/// small however large the mesh is.
+/// Its frame: the mesh's axes at corner 0, so coordinates stay small however large the mesh is.
 template <class S> struct TriangleHull {
   //        v2          half-edges of the front: 0 from v0 to v1, 2 from v1 to v2, 4 from v2 to v0;
   //       /  |         their twins 1, 3, 5 bound the back

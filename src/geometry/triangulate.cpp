@@ -54,8 +54,7 @@ double flatness(const std::vector<Vec2d>& corners, std::size_t i, double roundin
 
 using Edges = std::set<std::pair<int, int>>;  // the lower vertex first
 
-/// Triangles of one face as vertex indices, or the whole face if a cut would duplicate an edge.
-/// Adds the cuts to `edges`.
+/// Triangles of one face, or the face if a cut would duplicate an edge. Adds the cuts to `edges`.
 std::vector<std::vector<int>> cut_face(const Hull<double>& hull, int face, Edges& edges) {
   const std::vector<int> loop = face_vertices(hull, face);
   if (loop.size() == 3) return {loop};
@@ -79,10 +78,9 @@ std::vector<std::vector<int>> cut_face(const Hull<double>& hull, int face, Edges
 
 }  // namespace
 
-/// Ear clipping. Deviation: the least flat ear is cut first, which makes fewer slivers than cutting
-/// in order and postpones collinear corners until they are no longer collinear. Steps: rate all
-/// corners; cut the best ear; rate its two neighbours again, the only ones that the cut can change;
-/// repeat until three corners are left.
+/// Ear clipping. Deviation: the least flat ear is cut first, which makes fewer slivers and
+/// postpones collinear corners until they are none. Steps: rate all corners; cut the best ear; rate
+/// its two neighbours again; repeat until three corners are left.
 std::vector<std::array<int, 3>> triangulate_polygon(std::span<const Vec3d> corners) {
   assert(corners.size() >= 3);
   std::vector<Vec2d> left = flattened(corners);  // remaining corners, in order
@@ -91,7 +89,6 @@ std::vector<std::array<int, 3>> triangulate_polygon(std::span<const Vec3d> corne
   const double rounding = rounding_of_turns(left);
   std::vector<double> ratings;
   for (std::size_t i = 0; i < left.size(); ++i) ratings.push_back(flatness(left, i, rounding));
-
   std::vector<std::array<int, 3>> triangles;
   while (left.size() > 3) {
     // If no ear is left, because the polygon crosses itself, all corners are equally bad.

@@ -6,10 +6,8 @@
 namespace contactscope {
 
 /// Cuts a polygon, convex or not, into corners.size() - 2 triangles with the same winding: indices
-/// into `corners`. There must be at least three corners. The polygon should be nearly flat and must
-/// not cross itself; otherwise triangles may overlap, but their number stays the same. Collinear
-/// corners give no triangle of zero area as long as another cut exists. The result does not depend
-/// on position or scale. O(n^2).
+/// into `corners`. At least three corners, nearly flat and not crossing; otherwise triangles may
+/// overlap. Collinear corners give no triangle of zero area as long as another cut exists. O(n^2).
 ///
 /// Source: ear clipping, Meisters 1975, "Polygons have ears".
 std::vector<std::array<int, 3>> triangulate_polygon(std::span<const Vec3d> corners);
@@ -23,8 +21,7 @@ std::vector<std::array<int, 3>> triangulate_polygon(std::span<const Vec3d> corne
 /// A face stays whole if a cut would duplicate an existing edge. That happens only for faces that
 /// overlap within the hull builder's tolerance, or for a hull without volume.
 ///
-/// Clipping then uses only parts of the incident and the reference face: Gregorius 2015, "Hull vs
-/// Hull: Coplanar Faces".
+/// Clipping then uses only parts of the faces: Gregorius 2015, "Hull vs Hull: Coplanar Faces".
 Hull<double> triangulate_faces(const Hull<double>& hull);
 
 }  // namespace contactscope

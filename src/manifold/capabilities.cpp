@@ -48,14 +48,12 @@ constexpr const char* kNoTouch =
 
 bool is_bound(QueryMethod method) { return method <= QueryMethod::BoundingSphere; }
 
-/// Why a method does not support two shapes of these kinds; null if it does. `one` comes before
-/// `other` in the table.
+/// Why a method does not support shapes of these kinds, `one` first in the table; null: it does.
 const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
-  if (is_bound(method)) {
+  if (is_bound(method))
     return one == ShapeKind::Plane || other == ShapeKind::Plane
                ? "a plane has no end, and so no bounds; leave it out of the broad phase"
                : nullptr;
-  }
   if (method == QueryMethod::Contacts) {
     if (can_collide(one, other)) return nullptr;
     if (one == ShapeKind::Plane && other == ShapeKind::Plane)
@@ -64,29 +62,25 @@ const char* unknown_shapes(QueryMethod method, ShapeKind one, ShapeKind other) {
       return "a plane and a mesh both stand for the ground; use a hull for what lies on it";
     return kRows[static_cast<int>(QueryMethod::Triangles)].otherwise;
   }
-  if (method == QueryMethod::Triangles) {
+  if (method == QueryMethod::Triangles)
     return one == ShapeKind::Mesh && other == ShapeKind::Mesh
                ? nullptr
                : "it compares the triangles of two meshes; ask \"contacts\"";
-  }
-  if (method == QueryMethod::VClip) {
+  if (method == QueryMethod::VClip)
     return one == ShapeKind::Hull && other == ShapeKind::Hull
                ? nullptr
                : "it walks over the features of two hulls; ask \"gjk\" or \"contacts\"";
-  }
-  if (method == QueryMethod::Support) {
+  if (method == QueryMethod::Support)
     return is_convex(one) && other == ShapeKind::Plane
                ? nullptr
                : "it is of a convex shape and a plane, whose normal is the one axis that counts; "
                  "ask \"gjk\" or \"contacts\"";
-  }
   if (other == ShapeKind::Field)
     return "a distance field is not convex; ask \"contacts\", which looks for where it is negative";
-  if (!is_convex(other)) {
+  if (!is_convex(other))
     return other == ShapeKind::Plane
                ? "a plane has no end, and so no farthest point along a direction; ask \"support\""
                : "a mesh is not convex; ask \"contacts\", which works on its triangles";
-  }
   if (method == QueryMethod::Gjk) return nullptr;
   return other == ShapeKind::Hull
              ? nullptr

@@ -2,9 +2,8 @@
 
 #include "geometry/shape.h"
 
-/// The capability map of collision detection as a table: the queries of a pair of shapes and the
-/// methods here that answer them. A query that no method answers is refused; the reason names an
-/// alternative.
+/// Which methods here answer which query of a pair of shapes, as a table. A query that no method
+/// answers is refused; the reason names an alternative.
 namespace contactscope {
 
 /// The query of a pair.

@@ -28,7 +28,6 @@ struct Crossing {
     return one < two ? Crossing{one, two} : Crossing{two, one};
   }
   constexpr FeatureId id() const { return {edge_ref(first), edge_ref(second)}; }
-
   friend constexpr bool operator==(const Crossing&, const Crossing&) = default;
 };
 
@@ -39,8 +38,7 @@ template <class S> struct ClipVertex {
   Crossing crossing;  // origin of this corner; later clips do not change it
 };
 
-/// Counter-clockwise seen from outside its face. A reference face adds at most one corner per side,
-/// so the two faces together bound the size.
+/// Counter-clockwise seen from outside its face. A reference face adds at most a corner per side.
 template <class S> using ClipPolygon = StaticVector<ClipVertex<S>, kMaxManifoldPoints>;
 
 /// A face of one of two hulls that are clipped, for the record: its outward normal in A's frame.

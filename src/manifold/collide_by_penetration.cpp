@@ -57,11 +57,10 @@ template <class S> EdgeQuery<S> nearest_edge_pair(const HullPair<S>& pair, const
 /// sat()'s preference chooses among them, so that the same code makes the contact without more
 /// flicker: a face as long as it is nearly as deep as the best candidate.
 ///
-/// So the contact's normal is its features' normal, not `normal`: this corrects a method that
-/// stopped short of the true normal. If all three are deeper than `depth` by more than the
-/// preference allows, they do not explain that normal, and the result's status is Separated;
-/// otherwise Touching. Preference::None allows a ten-thousandth of the smaller radius, about the
-/// error of sampling's normal.
+/// So the contact's normal is its features' normal, not `normal`: which corrects a method that
+/// stopped short. If all three are deeper than `depth` by more than the preference allows, they do
+/// not explain that normal, and the result's status is Separated; otherwise Touching.
+/// Preference::None allows a ten-thousandth of the smaller radius: sampling's error.
 ///
 /// `queries_run` is 3; the edge query has no pair if all edges are nearly parallel.
 template <class S>

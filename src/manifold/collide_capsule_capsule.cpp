@@ -87,10 +87,9 @@ template <class S> Vec3<S> perpendicular_to(const AxisPair<S>& axes, const Vec3<
   return safe_unit(axes.b.has_length() ? rejected(to_a, axes.b.unit()) : to_a);
 }
 
-/// From A to B by the closest points. Inside an axis the normal is perpendicular to it. Rounding
-/// divided by the distance can turn it, which would show at the end of a long axis, so it is made
-/// perpendicular. Where lines cross, their cross product is the same direction, and less rounded if
-/// the points are very close.
+/// From A to B by the closest points. Inside an axis the normal is perpendicular to it. It is made
+/// so, since rounding divided by the distance would show at the end of a long axis. Where lines
+/// cross, their cross product is the same directionand less rounded.
 template <class S>
 Vec3<S> normal_between(const AxisPair<S>& axes, const ClosestOfSegments<S>& closest) {
   Vec3<S> between = closest.on_b - closest.on_a;
@@ -144,9 +143,8 @@ Vec3<S> fallback_normal(const AxisPair<S>& axes, const Capsule<S>& a, const Caps
   return perpendicular_to(axes, safe_unit(Vec3<S>(cross + unsure * fixed)));
 }
 
-/// The facing points of A's and B's axis at the end of the stretch at A's end `side`: the end of
-/// B's axis if it is within A's stretch, otherwise A's end, each with the closest point of the
-/// other axis.
+/// The facing points of both axes at A's end `side` of the stretch: the end of B's axis if it is
+/// within A's stretch, otherwise A's end, each with the closest point of the other axis.
 template <class S>
 std::pair<Vec3<S>, Vec3<S>> facing_at(const AxisPair<S>& axes, const Stretch<S>& stretch, int side,
                                       int end_of_b) {
@@ -180,13 +178,12 @@ void add_two_points(const AxisPair<S>& axes, S radius_a, S radius_b, S margin,
 
 }  // namespace
 
-/// Two deviations from the talk. It clips the second axis against planes at the ends of the first.
-/// We take the closest point of either axis to the other's end, so that the closest points of the
-/// axes are included and the depth does not jump when one point becomes two. And it keeps points
-/// near the first axis, while we measure along the common normal, as for the separation. Steps: 1.
-/// closest points of the axes; 2. their direction is the normal, unless they meet; 3. two points if
-/// the axes are nearly parallel and overlap far enough; 4. otherwise, or if both are above the
-/// margin, the closest points.
+/// Two deviations from the talk, which clips the second axis against planes at the ends of the
+/// first: we take the closest point of either axis to the other's end, so that the depth does not
+/// jump when one point becomes two; and we measure along the common normal, as for the separation,
+/// instead of keeping points near the first axis. Steps: 1. closest points of the axes; 2. their
+/// direction is the normal, unless they meet; 3. two points if the axes are nearly parallel and
+/// overlap far enough; 4. otherwise, or if both are above the margin, the closest points.
 template <class S>
 S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                           const CollideOptions& options, Contact<S>& contact,
@@ -211,14 +208,12 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
   contact.axis = AxisKind::ClosestPoints;
   contact.type = contact_type(feature_a.kind, feature_b.kind);
   add_two_points(axes, a.radius, b.radius, static_cast<S>(options.margin), contact);
-  if (contact.points.empty()) {
+  if (contact.points.empty())
     add_round_point(closest.on_a, a.radius, closest.on_b, b.radius, contact.normal,
                     closest.distance, FeatureId::of(feature_a, feature_b), contact);
-  }
   return separation;
 }
 
-template CollideConvex<float, Capsule<float>, Capsule<float>> collide_capsule_capsule;
-template CollideConvex<double, Capsule<double>, Capsule<double>> collide_capsule_capsule;
+CONTACTSCOPE_FLOAT_AND_DOUBLE(collide_capsule_capsule);
 
 }  // namespace contactscope

@@ -274,9 +274,8 @@ void add_capsule_touch(const Capsule<S>& a, const Hull<S>& b, const Mat3<S>& rot
   }
 }
 
-/// Steps: 1. separating axis test; done if farther than the radius. 2. The touching feature and
-/// point (capsule_sat.h). 3. One or two points of the segment, by the talk's clipping for faces.
-/// 4. From the hull's frame to A's.
+/// Steps: 1. separating axis test; 2. the touching feature and point (capsule_sat.h). 3. one or two
+/// points, by the talk's clipping for faces; 4. to A's frame.
 template <class S>
 S collide_capsule_hull(const Capsule<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                        const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {

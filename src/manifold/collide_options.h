@@ -87,7 +87,6 @@ struct IncrementalSettings {
   /// breaks. A new point nearer than this to an old one is too close to it.
   double breaking_distance = 0.02;
   TooClose too_close = TooClose::Replace;
-
   friend bool operator==(const IncrementalSettings&, const IncrementalSettings&) = default;
 };
 

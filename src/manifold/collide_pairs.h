@@ -19,8 +19,7 @@ template <class S> void move(ContactPoint<S>& point, const Vec3<S>& to) {
 }
 
 /// The last two stages of every pair: transforms `contact` in place from A's frame to the world and
-/// reduces it to `manifold`. Gregorius 2015, "Contact Point Reduction". Without a reducer, or with
-/// few points, all points are kept.
+/// reduces it to `manifold` (Gregorius 2015, "Contact Point Reduction"), if there is a reducer.
 template <class S>
 void finish_contact(const ToWorld<S>& to_world, const CollideOptions& options, Contact<S>& contact,
                     Manifold<S>& manifold, Recorder<S>* recorder) {
@@ -67,9 +66,8 @@ template <class S> struct ContactSink {
   }
 };
 
-/// Collides two convex shapes: fills `contact`, empty when the separation is above the margin, and
-/// returns the distance of the surfaces, negative in overlap. `recorder` is null when not
-/// recording.
+/// Collides two convex shapes: fills `contact`, empty above the margin, and returns the distance of
+/// the surfaces, negative in overlap. `recorder` is null when not recording.
 template <class S, class A, class B>
 using CollideConvex = S(const A& a, const B& b, const Pose<S>& b_in_a,
                         const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
@@ -90,9 +88,8 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
                         const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// A virtual sphere about the point of the capsule's axis closest to the centre, then as two
-/// spheres. A centre on the axis, within rounding, has no normal. The fallback is a direction
-/// perpendicular to the axis that turns with the capsule, so the contact does not jump between
-/// frames.
+/// spheres. A centre on the axis, within rounding, has no normal. The fallback is perpendicular to
+/// the axis and turns with the capsule, so the contact does not jump.
 template <class S>
 S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
@@ -102,15 +99,13 @@ S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>&
 /// penetration, and that face's normal. The two agree where the centre passes through a face. For a
 /// separation above the margin, returns a lower bound: a distance along a face normal.
 ///
-/// The normal is not unique if the centre is on an edge or a vertex within rounding, or inside and
-/// equally near to several faces of different directions. The fallback is the normal of the
-/// earliest of the nearest faces.
+/// The normal is not unique for a centre on an edge or a vertex within rounding, or inside and
+/// equally near to several faces. The fallback is the normal of the earliest of the nearest faces.
 template <class S>
 S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                       const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
-/// One point, below the centre, on the plane (see collide_with_plane.cpp). Never degenerate: the
-/// plane always has a normal.
+/// One point, on the plane below the centre (see collide_with_plane.cpp). Never degenerate.
 template <class S>
 S collide_sphere_plane(const Sphere<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
                        const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
@@ -136,9 +131,8 @@ S collide_sphere_mesh(const Sphere<S>& a, const Mesh<S>& b, const Pose<S>& b_in_
 /// Axes that meet, within rounding, have no normal. The fallback is their cross product where they
 /// cross, on the side of a direction that turns with B. Where they overlap in parallel it is that
 /// direction itself, perpendicular to B's axis. Between the two it turns while the angle of the
-/// axes is 16 to 64 ulps of a radian, which is rounding. A wider range would make it lean along an
-/// axis, and contacts at its ends would be deeper than the axes. The caller chooses which capsule
-/// is B, see collide() in dispatch.h.
+/// axes is 16 to 64 ulps of a radian: in a wider range it would lean along an axis, whose ends
+/// would be too deep. The caller chooses which capsule is B, see collide() in dispatch.h.
 template <class S>
 S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                           const CollideOptions& options, Contact<S>& contact,
@@ -148,16 +142,14 @@ S collide_capsule_capsule(const Capsule<S>& a, const Capsule<S>& b, const Pose<S
 /// the true one. The normal is a face's, or that of the segment and an edge, or joins the closest
 /// points. Neither the point nor the normal jumps as the segment sinks through the surface.
 ///
-/// A second point exists if the segment lies along the touched feature and its separation there is
-/// not above the margin: at the far end of the segment clipped to the face's side planes, with the
-/// separation from the face; or at the far end of the stretch along a parallel edge. It comes and
-/// goes without changing the first point.
+/// A second point exists if the segment lies along the touched feature and is not above the margin:
+/// at the far end of the segment clipped to the face's side planes, or of the stretch along a
+/// parallel edge. It comes and goes without changing the first point.
 ///
 /// Points outside are the hull's closest; points inside are projected onto the face or lie midway
 /// between the two edges. Returns the separation of the deepest point. For a separation above the
 /// margin, returns a lower bound: a distance along an axis of the separating axis test. Does not
-/// use `options.preference`: ids do not change when the axis changes between a face and one of its
-/// edges.
+/// use `options.preference`, since ids are the same for a face and its edges.
 ///
 /// The normal is not unique if the segment only touches a vertex, or one of its ends an edge,
 /// within rounding; nor inside at equal distance from several faces of different directions. The
@@ -176,9 +168,8 @@ void add_capsule_touch(const Capsule<S>& a, const Hull<S>& b, const Mat3<S>& rot
                        Contact<S>& contact);
 
 /// Each end of the axis carries a sphere, and each sphere below the plane (or up to the margin
-/// above it) gives a point on the plane: two at most, with the ends as ids. A capsule with a level
-/// axis makes an edge contact, others a point contact; one of length zero is a sphere and has one
-/// point.
+/// above it) gives a point on the plane, with the end as id. A capsule with a level axis makes an
+/// edge contact, others a point contact; one of length zero is a sphere.
 template <class S>
 S collide_capsule_plane(const Capsule<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
                         const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
@@ -192,12 +183,10 @@ S collide_capsule_mesh(const Capsule<S>& a, const Mesh<S>& b, const Pose<S>& b_i
 
 /// Separating axis test, then a face contact by clipping or an edge contact by closest points.
 /// Returns the separation along the deciding axis. Never empty when the hulls overlap. Among nearly
-/// equally deep faces, those of `preferred` win. If options.penetration is not Sat, see
-/// collide_by_penetration.
+/// equally deep faces, those of `preferred` win. See also collide_by_penetration().
 ///
-/// With a `cache` (see pair_cache.h), tries the result of an earlier call first; a full test stores
-/// its result there, a penetration method stores nothing. With a cache A's faces are the preferred
-/// ones.
+/// With a `cache` (see pair_cache.h), tries the result of an earlier call first, and prefers A's
+/// faces. A full test stores its result there, a penetration method nothing.
 template <class S>
 S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                     const CollideOptions& options, PairCache<S>* cache, Contact<S>& contact,
@@ -209,19 +198,16 @@ S collide_hull_hull(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
 ///
 /// Steps: 1. GJK; 2. separation above the margin: done; 3. separation up to the margin: the
 /// separating axis test, because penetration methods measure only overlap; 4. the method gives a
-/// normal; 5. the features near it (axes_of_normal) make the contact. Returns nullopt if the
-/// separating axis test must handle the pair: at step 3, or if the method gives no depth, or
-/// features that do not explain it. The record contains the reason.
+/// normal; 5. the features near it (axes_of_normal) make the contact. Returns nullopt at step 3, or
+/// if the method gives no depth, or features that do not explain it.
 ///
-/// Gives the guarantees of collide_hull_hull(), except for the depth, which is as accurate as the
-/// method's.
+/// Gives the guarantees of collide_hull_hull(), with a depth as accurate as the method's.
 template <class S>
 std::optional<S> collide_by_penetration(const Hull<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                                         const CollideOptions& options, Contact<S>& contact,
                                         Recorder<S>* recorder);
 
-/// collide_hull_hull for two hulls placed in the world: returns the reduced manifold, records
-/// nothing.
+/// collide_hull_hull for hulls placed in the world: returns the reduced manifold, without a record.
 template <class S>
 Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                               const Pose<S>& pose_b, const CollideOptions& options,
@@ -232,9 +218,8 @@ Manifold<S> collide_hull_hull(const Hull<S>& a, const Pose<S>& pose_a, const Hul
 /// If more than kMaxManifoldPoints vertices qualify, the deepest are taken.
 ///
 /// The type is that of the lowest feature: a vertex, an edge or a face, by the number of vertices
-/// within 0.2% of the hull's radius above the lowest (with Preference::None, within rounding). It
-/// does not change with the depth, even if a box on a corner has sunk so far that four of its
-/// vertices are points.
+/// within 0.2% of the hull's radius above the lowest (with Preference::None, within rounding). So
+/// it does not depend on the depth, as the number of points does.
 template <class S>
 S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_in_a,
                      const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
@@ -255,8 +240,7 @@ S collide_with_field(const Shape<S>& a, const Field<S>& b, const Pose<S>& b_in_a
 /// face that the other shape is in front of. That contact has no points where the other shape is
 /// not over the face: it then touches the neighbour. As belongs_to_surface() for meshes.
 ///
-/// The contact is in A's frame; `owner` says which shape the hull with seams is. The record gets the
-/// contact that was replaced.
+/// In A's frame. `owner` has the hull with seams. The record gets the contact that was replaced.
 template <class S, class A>
 void respect_seams(const A& a, const Hull<S>& b, const Pose<S>& b_in_a, Owner owner,
                    const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);

@@ -21,9 +21,8 @@ template <class S> S rounding_across(const Vec3<S>& center, const Capsule<S>& ca
 
 }  // namespace
 
-/// Works in the capsule's own frame, where its axis is exact even if it is much longer than the
-/// distance. Steps: 1. the vector to the closest point of the axis; 2. its direction is the normal,
-/// unless it is only rounding.
+/// Works in the capsule's own frame, where its axis is exact. Steps: 1. the vector to the closest
+/// point of the axis; 2. its direction is the normal, unless it is only rounding.
 template <class S>
 S collide_sphere_capsule(const Sphere<S>& a, const Capsule<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions& options, Contact<S>& contact,
@@ -108,9 +107,8 @@ template <class S> Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const V
   return from - (from.dot(along) / along.squaredNorm()) * along;
 }
 
-/// The closest feature of the hull to a centre that projects into none of its nearest faces and is
-/// beyond the half-edge `side_edge` of one. If the Voronoi regions of edges and vertices decide, GJK
-/// runs only for a record.
+/// The closest feature of the hull to a centre over none of its nearest faces and beyond the
+/// half-edge `side_edge` of one. GJK runs only for a record, or if no Voronoi region decides.
 template <class S>
 Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
                               int side_edge, S scale, GjkRun<S>* run) {
@@ -137,14 +135,12 @@ Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int ne
 
 }  // namespace
 
-/// Deviation from the talk: faces first. Their distances separate inside from outside and reject
-/// most distant spheres. If the centre projects into the nearest face, that is the closest point,
-/// with all digits of the face's normal, at any height. GJK handles only edges and vertices whose
-/// regions are undecided by rounding.
+/// Deviation from the talk: faces first. Their distances reject most distant spheres. If the centre
+/// projects into the nearest face, that is the closest point, at any height, with all digits of the
+/// normal. GJK handles only edges and vertices whose regions are undecided by rounding.
 ///
-/// Steps: 1. distances from all faces; done if above the radius. 2. The centre inside, or above a
-/// face: that face. 3. The edge or vertex whose region contains it, or GJK's. 4. On an edge or
-/// vertex within rounding: the face of step 1.
+/// Steps: 1. distances from all faces; 2. the centre inside, or above a face: that face; 3. the
+/// edge or vertex whose region contains it, or GJK's; 4. on it within rounding: the face of step 1.
 template <class S>
 S collide_sphere_hull(const Sphere<S>& a, const Hull<S>& b, const Pose<S>& b_in_a,
                       const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {

@@ -4,9 +4,8 @@
 
 // The plane is always B and is treated as an infinite face of a hull: points move onto it, as the
 // talk moves the points of a face contact onto the reference face ("Face Contact Clipping"). So a
-// floor gives the same manifold as a plane or as the top of a wide box, and the points are
-// coplanar, as reducers require. The lecture on contact generation ("Box-Plane Contact Generation")
-// instead puts them midway between the corner and the plane, at half the depth.
+// floor gives the same manifold as the top of a wide box, and the points are coplanar. The lecture
+// on contact generation ("Box-Plane Contact Generation") puts them at half the depth.
 
 namespace contactscope {
 namespace {
@@ -104,11 +103,10 @@ S collide_hull_plane(const Hull<S>& a, const HalfSpace<S>& b, const Pose<S>& b_i
     lowest = std::min(lowest, height);
     if (height > options.margin) continue;
     const ContactPoint<S> point = plane_point(plane, vertex, height, S(0), v);
-    if (contact.points.size() < kMaxManifoldPoints) {
+    if (contact.points.size() < kMaxManifoldPoints)
       contact.points.push_back(point);
-    } else {
+    else
       replace_highest(point, is_heap, contact);
-    }
   }
   if (lowest > options.margin) return lowest;
   // Restore the order of the vertices.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/mesh.h"
 #include "geometry/triangle_hull.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/internal_edges.h"
@@ -8,8 +7,7 @@
 
 namespace contactscope {
 
-/// A triangle without an area: the segment between its two farthest corners, as a capsule of radius
-/// 0. A point is a segment of length zero.
+/// A triangle without an area: the segment between its farthest corners, a capsule of radius 0.
 template <class S> struct FlatTriangle {
   FlatTriangle(const Mesh<S>& mesh, int triangle, const Pose<S>& mesh_in_a)
       : edge(longest_edge(mesh, triangle)) {
@@ -31,8 +29,7 @@ template <class S> struct FlatTriangle {
   Pose<S> in_a;
 };
 
-/// A convex shape and a triangle without an area, in A's frame. Feature indices are within the
-/// triangle. Returns the separation, metres.
+/// A convex shape and a triangle without an area, in A's frame; features are the triangle's.
 template <class S, class A>
 S collide_flat_triangle(const A& a, const Mesh<S>& mesh, int triangle, const Pose<S>& mesh_in_a,
                         const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder) {
@@ -140,8 +137,7 @@ void drop_detours(const NearTriangles<S>& near, int triangle, const Pose<S>& b_i
   });
 }
 
-/// Whether a contact is that of a round shape with its closest point on a triangle. At a depth
-/// above the radius the core has come through.
+/// Whether a contact is that of a round shape with its closest point; deeper, the core is through.
 template <class S> bool is_closest_of_round(const SeenFromMesh<S>& shape, S depth) {
   return shape.radius > S(0) && depth > -shape.radius;
 }
@@ -184,8 +180,7 @@ template <class S> struct LeftOut {
 
   /// Reduces the contact to the part that is restored next to others as deep as `kept`: all of it
   /// while they are at most a third as deep, nothing from two thirds on. In between it is moved out
-  /// three times as fast as they get deeper. So nothing jumps, and the deepest contact is at least
-  /// half as deep as this.
+  /// three times as fast as they get deeper. So the deepest contact is at least half as deep.
   ///
   /// The closest point of the whole mesh is on its surface, with nothing between it and the core.
   /// So if the closest point of a round shape is deeper than all kept contacts by more than
@@ -261,13 +256,11 @@ void fix_near_points(const SeenFromMesh<S>& shape, const NearTriangles<S>& near,
 /// A triangle without an area is a segment or a point. It has no face, so step 3 drops its contact.
 ///
 /// collide(triangle, contact) returns the separation, and no points above the margin or where
-/// degenerate geometry is skipped (then nothing is restored in its place). on_face(triangle, face,
-/// contact) gets the face of the triangle on the side of the shape's centre. Both work in A's
-/// frame; `triangle.in_a` places the triangle hull. Returns the least separation, metres; when no
-/// triangle is near, a lower bound from the boxes, for the record.
+/// degenerate geometry is skipped . on_face(triangle, face, contact) gets the face of the triangle
+/// on the side of the shape's centre. Both work in A's frame; `triangle.in_a` places the triangle
+/// hull. Returns the least separation, metres, or of no near triangle a lower bound.
 ///
-/// is_clear(triangle) is true for triangles whose separation is known to be above the margin; they
-/// are skipped, unless recorded.
+/// is_clear(triangle): known to be above the margin; such a triangle is skipped, unless recorded.
 template <class S, class Collide, class OnFace, class IsClear>
 S collide_with_triangles(const SeenFromMesh<S>& shape, const Mesh<S>& b, const Pose<S>& b_in_a,
                          const CollideOptions& options, ContactSink<S>& sink, Recorder<S>* recorder,

@@ -5,8 +5,7 @@
 
 namespace contactscope {
 
-/// Contact of one pair of convex shapes, in A's frame, before reduction. Empty when the separation
-/// is above the margin.
+/// Contact of two convex shapes, in A's frame, before reduction. Empty above the margin.
 template <class S> struct Contact {
   AxisKind axis = AxisKind::FaceA;
   ContactType type = ContactType::FaceFace;

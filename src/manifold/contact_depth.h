@@ -1,11 +1,9 @@
 #pragma once
 
-#include "core/manifold.h"
 #include "manifold/pair_cache.h"
 #include "query/tolerance.h"
 
-/// Which clipped points make a contact, and whether they are as deep as the hulls overlap. Metres;
-/// `scale` is the pair's, see HullPair.
+/// Which clipped points make a contact, and if they are as deep as the overlap. Metres.
 namespace contactscope {
 
 /// Clipping keeps points up to this separation. It allows for rounding: otherwise all four corners
@@ -20,17 +18,15 @@ template <class S> bool is_deep_enough(S deepest, S best, Preference preference,
   return deepest <= part * best + depth_rounding(scale);
 }
 
-/// The difference of two rotations that differ by an angle t moves no unit vector farther than 2
-/// sin(t / 2). That is at most twice the distance of their quaternions, 2 sin(t / 4), with the
-/// signs that bring them nearest.
+/// The difference of two rotations by an angle t moves no unit vector farther than 2 sin(t / 2), at
+/// most twice the distance of their quaternions with the signs that bring them nearest.
 template <class S> S turn_since(const PairCache<S>& cache, const Quat<S>& rotation) {
   const S gap = (rotation.coeffs() - cache.rotation.coeffs()).squaredNorm();
   const S opposite = (rotation.coeffs() + cache.rotation.coeffs()).squaredNorm();
   return S(2) * std::sqrt(std::min(gap, opposite));
 }
 
-/// Whether the preference accepts an axis of this separation if no axis has more than `bound`, and
-/// the pair touches within the margin.
+/// Whether the preference accepts this separation of an axis, if no axis has more than `bound`.
 template <class S> bool preferred(S separation, S bound, S margin, S min_radius) {
   const S tolerance = preference_tolerance(std::min(bound, S(0)), min_radius);
   return bound <= margin && bound - separation <= tolerance;
@@ -51,8 +47,7 @@ bool is_still_deep(const PairCache<S>& cache, S deepest, S separation, S moved, 
          deep_for(along_edges());
 }
 
-/// The edges of A and B that cross at the deepest point, the first among equals; -1 if two edges of
-/// one hull do.
+/// The edges of A and B that cross at the first deepest point; -1 if two edges of one hull do.
 template <class Points> std::pair<int, int> edges_at_deepest(const Points& points) {
   const auto& deepest = *std::min_element(
       points.begin(), points.end(),

@@ -44,9 +44,8 @@ S create_face_contact(const Reference& hull, const Other& other_hull, Owner refe
     recorder->incident_decision(other_hull, query.support, plane.normal, incident);
   }
   const S thickness = clip_thickness(scale);
-  // The side planes in the order of the face's edges. All are computed before the first clip, so
-  // that their square roots and divisions overlap. Between clips each would wait for the branches
-  // of the last.
+  // The side planes in the order of the face's edges, all before the first clip: their square roots
+  // and divisions overlap, and do not wait for the branches of clips.
   StaticVector<std::pair<Plane<S>, EdgeKey>, kMaxFaceVertices> sides;
   for (const int edge : hull.hull.around_face(query.face))
     sides.push_back({side_plane(hull, edge), edge_key(reference, edge)});

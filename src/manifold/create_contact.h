@@ -22,17 +22,14 @@ void create_contact(const HullPair<S>& pair, const SatResult<S>& axes,
                     const CollideOptions& options, Contact<S>& contact, Recorder<S>* recorder);
 
 /// Gregorius 2015, "Hull vs Hull: Face Contact", "Face Contact Clipping", "Coherent Points". Clips
-/// the incident face against the side planes of the reference face, but not against the reference
-/// face itself. Keeps points up to `margin` (metres) above it and moves them onto it. Points above
-/// the margin by no more than rounding count as at the margin. `reference` owns `query.face`.
-/// Overwrites `contact` and returns the separation of the deepest point in metres; +infinity
-/// without points.
+/// the incident face against the side planes of the reference face, which `reference` owns, and
+/// moves points up to `margin` (metres) above that face onto it. Overwrites `contact` and returns
+/// the separation of the deepest point in metres; +infinity without points.
 template <class S>
 S create_face_contact(const HullPair<S>& pair, Owner reference, const FaceQuery<S>& query, S margin,
                       Contact<S>& contact, Recorder<S>* recorder);
 
-/// The same for a known incident face and hulls that are PlacedHull or PlacedFeatures. `scale` is
-/// the pair's (see HullPair), metres.
+/// The same for a known incident face and PlacedHull or PlacedFeatures. `scale` as in HullPair.
 template <class Reference, class Other, class S>
 S create_face_contact(const Reference& hull, const Other& other_hull, Owner reference,
                       const FaceQuery<S>& query, int incident, S scale, S margin,

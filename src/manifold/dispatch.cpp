@@ -55,8 +55,7 @@ void convex(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<
 template <class S>
 void hulls(const PlacedPair<S>& pair, const CollideOptions& options, Manifolds<S>& manifolds,
            Recorder<S>* recorder) {
-  const Hull<S>& a = *std::get_if<Hull<S>>(&pair.a);
-  const Hull<S>& b = *std::get_if<Hull<S>>(&pair.b);
+  const Hull<S>&a = *std::get_if<Hull<S>>(&pair.a), &b = *std::get_if<Hull<S>>(&pair.b);
   if (recorder == nullptr && a.is_box() && b.is_box() && a.seams.empty() == b.seams.empty() &&
       options.penetration == PenetrationMethod::Sat) {
     const bool done = pair.cache == nullptr
@@ -176,10 +175,9 @@ Manifold<float> in_float(const Manifold<double>& manifold) {
   result.axis = manifold.axis;
   result.type = manifold.type;
   result.triangle = manifold.triangle;
-  for (const ContactPoint<double>& point : manifold.points) {
+  for (const ContactPoint<double>& point : manifold.points)
     result.points.push_back(
         {point.position.cast<float>(), static_cast<float>(point.separation), point.id});
-  }
   return result;
 }
 
@@ -187,16 +185,14 @@ Manifold<float> in_float(const Manifold<double>& manifold) {
 void collide_in_double(const PlacedPair<float>& pair, const CollideOptions& options,
                        Manifolds<float>& manifolds, trace::Pair* record,
                        const trace::Stages& stages) {
-  const Shape<double> a = in_double(pair.a);
-  const Shape<double> b = in_double(pair.b);
+  const Shape<double> a = in_double(pair.a), b = in_double(pair.b);
   Manifolds<double> found;
   collide_in_order<double>({a, in_double(pair.pose_a), b, in_double(pair.pose_b)}, options, found,
                            record, stages);
   manifolds = mapped(found, in_float);
 }
 
-/// For two spheres or two capsules. Not inlined: collide() keeps its registers for the kinds that
-/// do not need this.
+/// For two spheres or two capsules. Not inlined, to keep registers free for the other kinds.
 template <class S>
 [[gnu::noinline]] bool round_against_order(const Shape<S>& a, const Pose<S>& pose_a,
                                            const Shape<S>& b, const Pose<S>& pose_b, bool b_first) {
@@ -247,10 +243,9 @@ void collide(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b, const 
     return;
   const bool swapped = against_the_table(a, pose_a, b, pose_b, options.b_first);
   const auto work = [&](const PlacedPair<S>& pair, const CollideOptions& in_order) {
-    if constexpr (std::is_same_v<S, float>) {
+    if constexpr (std::is_same_v<S, float>)
       if (belongs_in_double(a, b)) [[unlikely]]
         return collide_in_double(pair, in_order, manifolds, record, stages);
-    }
     collide_in_order(pair, in_order, manifolds, record, stages);
   };
   work_in_order<S>({a, pose_a, b, pose_b, cache}, swapped, options, manifolds, record, work);

@@ -1,19 +1,14 @@
 #pragma once
 
-#include "core/manifold.h"
-#include "core/pose.h"
 #include "geometry/shape.h"
-#include "manifold/collide_options.h"
 #include "manifold/pair_cache.h"
 #include "trace/trace.h"
 
-/// Gregorius 2015, "Collision Dispatching": a table of functions by the types of the two shapes;
-/// its upper half suffices. collide() or collide_incremental() orders a pair once, and mirrors the
-/// result once if it swapped the shapes.
+/// Gregorius 2015, "Collision Dispatching": a table of functions by the types of the two shapes. A
+/// pair is ordered once, and the result mirrored if it was swapped, so half of it suffices.
 namespace contactscope {
 
-/// One manifold for convex shapes; one per direction, or per triangle, for meshes; none when
-/// separated.
+/// One manifold for convex shapes; one per direction or triangle for meshes; none when separated.
 template <class S> using Manifolds = std::vector<Manifold<S>>;
 
 /// "sphere-hull": the name of such a pair in traces.
@@ -40,9 +35,8 @@ inline constexpr trace::Stages kUsualStages{};
 /// bodies move would break its coherence. Swapping the hulls selects the other hull's face in that
 /// case, and otherwise mirrors the contact up to rounding.
 ///
-/// In float, pairs of convex shapes with a size ratio of thousands are computed in double, without
-/// a cache. `cache` keeps what speeds up the next call for the same pair in the same order, see
-/// pair_cache.h.
+/// In float, convex shapes with a size ratio of thousands are computed in double, without a cache.
+/// `cache` speeds up the next call for the same pair in the same order, see pair_cache.h.
 ///
 /// `record` is null when not recording. Otherwise each stage (optional ones if in `stages`) writes
 /// its decisions there, in the order of the arguments; the result does not change. The record must
@@ -74,8 +68,7 @@ template <class S> struct PlacedPair {
   PairCache<S>* cache = nullptr;  // null: no cache
 };
 
-/// Runs `work` with the ids of the previous frame flipped, for swapped shapes. Not inlined: every
-/// pair would reserve stack for these options.
+/// Runs `work` with flipped ids of the previous frame. Not inlined, to save other pairs the stack.
 template <class Work>
 [[gnu::noinline]] void with_flipped_ids(const CollideOptions& options, const Work& work) {
   const std::vector<FeatureId> previous = mapped(options.reduction.previous, &FeatureId::flipped);
@@ -84,9 +77,8 @@ template <class Work>
   work(flipped);
 }
 
-/// Runs work(pair, options) in processing order: the order of the arguments, `given`, or the
-/// opposite one if `swapped`. It fills `manifolds` and, if not null, `record`. Afterwards both are
-/// in the order of the arguments.
+/// Runs work(pair, options), swapped or as given; it fills `manifolds` and, if not null, `record`.
+/// Afterwards both are in the order of the arguments.
 template <class S, class Work>
 [[gnu::always_inline]] inline void work_in_order(const PlacedPair<S>& given, bool swapped,
                                                  const CollideOptions& options,

@@ -11,8 +11,7 @@ template <class S> struct ClosestPoints {
   Vec3<S> on_b;
 };
 
-/// Closest points of the two edges that an edge query found. The hulls are PlacedHull or
-/// PlacedFeatures.
+/// Closest points of the two edges that an edge query found, of PlacedHull or PlacedFeatures.
 ///
 /// Closest points of the two lines by Cramer's rule on the cross product of the directions, then
 /// clamped to the edges as in Ericson, "Real-Time Collision Detection", 5.1.9. With unit directions
@@ -21,15 +20,12 @@ template <class S> struct ClosestPoints {
 template <class PlacedA, class PlacedB, class S>
 ClosestPoints<S> closest_points(const PlacedA& a, const PlacedB& b, const EdgeQuery<S>& query) {
   const int edge_a = query.edge_a, edge_b = query.edge_b;
-  const Vec3<S> u = a.direction(edge_a);
-  const Vec3<S> v = b.direction(edge_b);
-  const Vec3<S> origin_a = a.origin(edge_a);
-  const Vec3<S> origin_b = b.origin(edge_b);
+  const Vec3<S> u = a.direction(edge_a), v = b.direction(edge_b);
+  const Vec3<S> origin_a = a.origin(edge_a), origin_b = b.origin(edge_b);
   const S length_a = u.dot(Vec3<S>(a.origin(edge_a ^ 1) - origin_a));
   const S length_b = v.dot(Vec3<S>(b.origin(edge_b ^ 1) - origin_b));
   const Vec3<S> between = origin_b - origin_a;
   const Vec3<S> c = u.cross(v);
-
   const Vec3<S> v_side = between.cross(v);
   S along_a = std::clamp(v_side.dot(c) / c.squaredNorm(), S(0), length_a);
   // From here on each end is the closest point of its edge to the other end.

@@ -36,11 +36,10 @@ class GapSearch {
   GapSearch(const DistanceField& field, double best) : field_(field), best_(best) {}
 
   void look_at(const Core& core) {
-    if (const auto& round = field_.core()) {
+    if (const auto& round = field_.core())
       offer(core, {round->points.data(), 2, nullptr}, round->radius);
-    } else {
+    else
       look_at(core, *field_.surface());
-    }
   }
   double best() const { return best_; }
   /// Feature of the best; null if nothing is nearer than the limit.
@@ -106,8 +105,7 @@ FieldGap field_gap(const PlacedField& field, std::span<const FieldPiece> pieces,
 
 namespace {
 
-/// After this many cuts the nearest piece counts as a touch. Enough for any pair that is not
-/// everywhere at the distance of the margin.
+/// After so many cuts the nearest piece counts as a touch: enough, if only a part is at the margin.
 constexpr int kMaxCuts = 1 << 14;
 /// Enough to settle the deepest touch, except where the shapes lie flat on each other.
 constexpr int kMaxDeepeningCuts = 1 << 11;
@@ -138,8 +136,7 @@ struct Part {
       squared = std::max(squared, (at(corners, k) - from).squaredNorm());
     return std::sqrt(squared);
   }
-  /// Cuts a segment into two, or a triangle across its longest side into two, so that slivers
-  /// become compact.
+  /// Cuts a segment, or a triangle across its longest side, into two: slivers become compact.
   std::array<Part, 2> cut() const {
     std::array<Part, 2> parts{*this, *this};
     parts[0].path = 2 * path + 1;

@@ -72,9 +72,8 @@ struct FieldGap {
 /// surface; unsigned for pieces wholly inside. `limit` (metres) ends the search early: if nothing
 /// is nearer, or without pieces, the distance is the limit and the other members are undefined.
 ///
-/// Steps: 1. test each piece against the tree over the surface's triangles, near nodes first; skip
-/// nodes whose box is farther than the best distance; 2. GJK between the piece and each triangle
-/// left.
+/// Steps: 1. test each piece against the tree over the surface's triangles, near nodes first,
+/// without those beyond the best distance; 2. GJK between the piece and each triangle left.
 FieldGap field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double limit);
 
 }  // namespace contactscope

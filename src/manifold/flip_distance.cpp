@@ -51,13 +51,13 @@ template <class S>
 trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                           const Pose<S>& pose_b, const CollideOptions& options,
                           const FlipOptions& flip) {
-  const auto names_at = [&](const Pose<S>& pose) {
+  const auto collided_at = [&](const Pose<S>& pose) {
     Manifolds<S> manifolds;
     collide(a, pose_a, b, pose, options, manifolds);
-    return names_of(manifolds);
+    return manifolds;
   };
-  Manifolds<S> manifolds;
-  collide(a, pose_a, b, pose_b, options, manifolds);
+  const auto names_at = [&](const Pose<S>& pose) { return names_of(collided_at(pose)); };
+  const Manifolds<S> manifolds = collided_at(pose_b);
   const Names names = names_of(manifolds);
   trace::Flip found;
   if (names.empty()) return found;

@@ -13,12 +13,10 @@ struct FlipOptions {
 };
 
 /// Smallest change of b's pose that gives the pair other points: other ids, more or fewer of them.
-/// Along each direction and about each axis the change is doubled, starting from a rounding, until
-/// the points differ. Bisection then halves the interval between the last change that kept the
-/// points and the first that did not. So a set of points that comes and goes within a factor of two
-/// may hide a smaller change. Axes pass through the middle of the points. The search ends at a
-/// hundredth of the smaller shape's size (metres, radians). Poses are rounded to S. Contacts are
-/// computed without a cache or previous ids.
+/// Along each direction and about each axis through the middle of the points the change is doubled,
+/// starting from a rounding, until the points differ; bisection follows. So points that come and go
+/// within a factor of two may hide a smaller change. The search ends at a hundredth of the smaller
+/// shape's size (metres, radians). Poses are rounded to S. Contacts use no cache or previous ids.
 template <class S>
 trace::Flip flip_distance(const Shape<S>& a, const Pose<S>& pose_a, const Shape<S>& b,
                           const Pose<S>& pose_b, const CollideOptions& options,

@@ -18,8 +18,7 @@ bool rises_beyond(const Hull<S>& hull, int half_edge, const ContactNormal<S>& no
   return false;
 }
 
-/// Why the surface lacks what a contact touches; null if it does not. `normal`: outward, the hull's
-/// frame.
+/// Why the surface lacks what a contact touches; null: it has it. `normal`: outward, hull's frame.
 template <class S>
 const char* lacks(const Hull<S>& hull, Owner owner, const ContactNormal<S>& normal,
                   const Contact<S>& contact) {

@@ -29,8 +29,7 @@ inline Lengths lengths_of(const Shape<float>& shape) {
 /// thousand. Never for planes, which have no corners, nor for meshes, which are too large to copy.
 inline bool belongs_in_double(const Shape<float>& a, const Shape<float>& b) {
   if (!is_convex(kind_of(a)) || !is_convex(kind_of(b))) return false;
-  const Lengths of_a = lengths_of(a);
-  const Lengths of_b = lengths_of(b);
+  const Lengths of_a = lengths_of(a), of_b = lengths_of(b);
   const float rounding = tie_tolerance(std::max(of_a.reach, of_b.reach));
   return rounding > preference_tolerance(0.0F, std::min(of_a.size, of_b.size));
 }

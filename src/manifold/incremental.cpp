@@ -47,8 +47,7 @@ bool has_moved(const BrokenPoint<S>& old, const IncrementalStep<S>& step, double
   return true;
 }
 
-/// The contact type follows from the features: for one point those that meet; for several, whether
-/// the points form a line or a plane.
+/// By the features that meet at a single point; of several, by whether they form a line or a plane.
 template <class S> ContactType type_of(const IncrementalStep<S>& step) {
   if (step.points.size() > 1) return face_contact_type(step.points.size());
   const PersistentContact<S>& only = step.points[0].kept;
@@ -95,8 +94,7 @@ void step_in_order(const PlacedPair<S>& pair, const CollideOptions& options,
     persistent.core_b = std::make_shared<const ShapeCore<S>>(core_of(pair.b, margin));
   }
   const Pose<S> b_in_a = relative_pose(pair.pose_a, pair.pose_b);
-  const ShapeCore<S>& a = *persistent.core_a;
-  const ShapeCore<S>& b = *persistent.core_b;
+  const ShapeCore<S>&a = *persistent.core_a, &b = *persistent.core_b;
   const PenetrationMethod method = incremental.penetration;
   const auto query =
       query_cores(a, b, b_in_a, method, gjk_run(recorder), penetration_steps(recorder));

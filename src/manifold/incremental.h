@@ -16,9 +16,8 @@
 ///
 /// **Ids.** A point's id is the two features that met when it was found. It keeps this id for as
 /// long as it persists, also when a newer point replaces it: solvers join impulses to ids. No two
-/// points of a manifold have the same id. Two features meet in one point (parallel ones are
-/// distinguished by their corners, see closest_patch). So a new point with features or an id
-/// already in the manifold is the same point at another position.
+/// points of a manifold have the same id. A new point with features or an id of another is the same
+/// point at another position, since two features meet in one point (see closest_patch).
 ///
 /// **Choice of the point.** Parallel faces are equally close at many points, and GJK returns any of
 /// them. We take the candidate farthest from the existing points; the first point is farthest from
@@ -29,15 +28,13 @@
 /// distance. So the separation of a manifold's points may be up to that, or the margin if larger.
 namespace contactscope {
 
-/// Without a reducer all points are kept, as in one-shot manifolds, up to this many; then the
-/// oldest is dropped.
+/// Without a reducer this many points are kept; then the oldest is dropped.
 inline constexpr std::size_t kMaxPersistentPoints = 64;
 
 /// A vertex, an edge or a face of a core, by its index there.
 struct CoreFeature {
   FeatureKind kind = FeatureKind::Vertex;
   int index = 0;
-
   friend bool operator==(const CoreFeature&, const CoreFeature&) = default;
 };
 
@@ -53,8 +50,7 @@ template <class S> struct PersistentContact {
 
 template <class S> struct ShapeCore;
 
-/// Persisted state of a pair; one per pair, always in the same order. The cores are built at the
-/// first call, for its shapes and margin.
+/// Persisted state of a pair, always in the same order; its cores are built at the first call.
 template <class S> struct PersistentManifold {
   StaticVector<PersistentContact<S>, kMaxPersistentPoints> points;
   std::shared_ptr<const ShapeCore<S>> core_a, core_b;
@@ -70,8 +66,7 @@ struct IncrementalOptions {
 
 /// One frame of a pair placed in the world: confirms the points in `persistent`, adds at most one
 /// point and returns the manifold, with the guarantees of collide() in dispatch.h about order. Uses
-/// the margin, reducer and reduction of `options`: overlapping cores always have a depth, and the
-/// preference of the one-shot test does not apply. Steps:
+/// only the margin, reducer and reduction of `options`. Steps:
 ///   1. GJK on the cores; if they overlap, options.penetration;
 ///   2. each old point is moved with its bodies and measured along the new normal. It is dropped
 ///      if it is separated, has slid, or its features no longer face each other;

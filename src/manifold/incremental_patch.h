@@ -1,9 +1,7 @@
 #pragma once
 
 #include "core/convex_polygon.h"
-#include "core/static_vector.h"
 #include "manifold/incremental.h"
-#include "query/gjk.h"
 #include "query/hull_feature.h"
 #include "query/penetration.h"
 #include "query/tolerance.h"
@@ -160,8 +158,7 @@ std::optional<CoreQuery<S>> query_cores(const ShapeCore<S>& a, const ShapeCore<S
                                         GjkRun<S>* run, PenetrationSteps<S>* steps) {
   if (!b_in_a.position.allFinite() || !b_in_a.rotation.coeffs().allFinite()) return std::nullopt;
   if (b.kind == ShapeKind::Plane) return query_half_space(a, b, b_in_a);
-  const SupportSet<S> set_a = a.support();
-  const SupportSet<S> set_b = b.support();
+  const SupportSet<S> set_a = a.support(), set_b = b.support();
   const GjkResult<S> result = gjk<S>(set_a, set_b, b_in_a, nullptr, run);
 
   CoreQuery<S> query;
@@ -289,8 +286,7 @@ template <class S> auto order_of(const CoreContact<S>& contact) {
                     contact.feature_b.index);
 }
 
-/// Calls visit(place, i, j) where edge i of A's feature crosses edge j of B's, projected along the
-/// normal.
+/// Calls visit(place, i, j) where A's edge i crosses B's edge j, projected along the normal.
 template <class S, class Visit>
 void for_each_crossing(const SupportFeature<S>& on_a, const SupportFeature<S>& on_b, S tolerance,
                        const Visit& visit) {
@@ -305,8 +301,7 @@ void for_each_crossing(const SupportFeature<S>& on_a, const SupportFeature<S>& o
       const S rounding = tolerance * std::max(along_a.norm(), along_b.norm());
       if (!(std::abs(determinant) > rounding)) continue;  // parallel: their ends suffice
       const Vec2<S> between = start - from.seen;
-      const S t = cross(between, along_b) / determinant;
-      const S s = cross(between, along_a) / determinant;
+      const S t = cross(between, along_b) / determinant, s = cross(between, along_a) / determinant;
       if (t < S(0) || t > S(1) || s < S(0) || s > S(1)) continue;
       visit(Vec3<S>(from.place + t * Vec3<S>(to.place - from.place)), i, j);
     }
@@ -341,14 +336,12 @@ CorePatch<S> closest_patch(const ShapeCore<S>& a, const ShapeCore<S>& b, const P
   const CoreFeature whole_a = spanned(a, on_a, query.normal);
   const CoreFeature whole_b = on_plane ? CoreFeature{FeatureKind::Face, 0}
                                        : spanned(b, on_b, b_in_a.inverse_rotate(against));
-  for (const PatchCorner<S>& corner : on_a) {
+  for (const PatchCorner<S>& corner : on_a)
     if (on_plane || holds(on_b, corner.seen, aside))
       add({corner.place, corner.place + offset, {FeatureKind::Vertex, corner.vertex}, whole_b});
-  }
-  for (const PatchCorner<S>& corner : on_b) {
+  for (const PatchCorner<S>& corner : on_b)
     if (holds(on_a, corner.seen, aside))
       add({corner.place - offset, corner.place, whole_a, {FeatureKind::Vertex, corner.vertex}});
-  }
   for_each_crossing(on_a, on_b, aside, [&](const Vec3<S>& place, std::size_t i, std::size_t j) {
     add({place, place + offset, edge_of(a, on_a, i, whole_a), edge_of(b, on_b, j, whole_b)});
   });

@@ -62,15 +62,13 @@ template <class S>
 std::optional<std::pair<Vec3<S>, Vec3<S>>> feet_of_edges(const std::vector<Vec3<S>>& one,
                                                          const std::vector<Vec3<S>>& other,
                                                          S slack) {
-  const Vec3<S> u = one[1] - one[0];
-  const Vec3<S> v = other[1] - other[0];
+  const Vec3<S> u = one[1] - one[0], v = other[1] - other[0];
   const Vec3<S> between = other[0] - one[0];
   const Vec3<S> c = u.cross(v);
   const S squared = c.squaredNorm();
   const S sine = kParallelSine<S>;
   if (!(squared > sine * sine * u.squaredNorm() * v.squaredNorm())) return std::nullopt;
-  const Vec3<S> perpendicular_v = between.cross(v);
-  const Vec3<S> perpendicular_u = between.cross(u);
+  const Vec3<S> perpendicular_v = between.cross(v), perpendicular_u = between.cross(u);
   const S s = perpendicular_v.dot(c) / squared;
   const S t = perpendicular_u.dot(c) / squared;
   const auto within = [&](S parameter, S length) {
@@ -118,7 +116,6 @@ template <class S> struct StandingPoint {
   Vec3<S> on_a, on_b;
   S separation = 0;
   bool is_new = false;
-
   Vec3<S> position() const { return S(0.5) * (on_a + on_b); }
 };
 
@@ -234,8 +231,7 @@ template <class S>
 void add_point(const PersistentManifold<S>& persistent, const Pose<S>& b_in_a,
                const CoreQuery<S>& query, const IncrementalSettings& settings,
                IncrementalStep<S>& step) {
-  const ShapeCore<S>& a = *persistent.core_a;
-  const ShapeCore<S>& b = *persistent.core_b;
+  const ShapeCore<S>&a = *persistent.core_a, &b = *persistent.core_b;
   const CorePatch<S> patch = closest_patch(a, b, b_in_a, query);
   const CoreContact<S>& place = farthest_place(patch, query, step);
   StandingPoint<S> fresh;

@@ -77,8 +77,7 @@ template <class S> class NearTriangles {
 /// points are less exact, see normal_tolerance() in collide_with_triangles.h.
 template <class S> constexpr S kNormalTolerance = S(16) * std::numeric_limits<S>::epsilon();
 
-/// Upper bound of triangles at a vertex; ends the walk around one whose neighbours contradict each
-/// other.
+/// Upper bound of triangles at a vertex; ends the walk if its neighbours contradict each other.
 inline constexpr int kMaxTrianglesAround = 1024;
 
 template <class S> int corner_of(const Mesh<S>& mesh, int triangle, int vertex_of, int k) {
@@ -89,8 +88,7 @@ template <class S> int corner_of(const Mesh<S>& mesh, int triangle, int vertex_o
   return -1;
 }
 
-/// The normal of a contact, unit, from the mesh to the other shape, mesh frame; and how far
-/// rounding may have turned it, radians.
+/// A contact's unit normal, from the mesh, mesh frame; and how far rounding may have turned it.
 template <class S> struct ContactNormal {
   Vec3<S> direction;
   S tolerance = kNormalTolerance<S>;
@@ -111,14 +109,12 @@ bool is_along_face(const Mesh<S>& mesh, int triangle, const ContactNormal<S>& no
   return sine.squaredNorm() <= normal.tolerance * normal.tolerance;
 }
 
-/// Upper bound of adjacent triangles without an area that the surface is followed across; ends the
-/// walk where they form a ring.
+/// Upper bound of adjacent triangles without an area, which may form a ring.
 inline constexpr int kMaxFlatNeighbours = 16;
 
 /// Whether the surface beyond edge k of a triangle, which may be a seam, rises from it along the
-/// normal, so that the edge is not an edge of the surface. Crosses a neighbour without an area:
-/// from one of its short edges the surface continues beyond its longest, and from its longest
-/// beyond both others.
+/// normal, so that the surface lacks the edge. Crosses a neighbour without an area: from a short
+/// edge of it the surface continues beyond its longest, and from its longest beyond both others.
 template <class S>
 bool rises_across(const Mesh<S>& mesh, int triangle, int k, const ContactNormal<S>& normal,
                   int crossed = 0) {

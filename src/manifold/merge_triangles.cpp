@@ -197,8 +197,7 @@ template <class S> KeptIndices outline_of(ContactPoints<S> points, const Vec3<S>
   return kept;
 }
 
-/// A unit impulse at a point: its direction, and its torque about the middle of all points in units
-/// of their radius.
+/// A unit impulse at a point: direction, and torque about the middle of the points over the radius.
 template <class S> struct PointWrench {
   std::size_t manifold, point;
   Vec3<S> force, torque;

@@ -177,8 +177,7 @@ template <class S> S along_incident(const FeaturePair<S>& pair, AxisKind axis, i
   });
 }
 
-/// The separation along the cross product of an edge of A and one of B; -infinity if it is
-/// unreliable, or without edges.
+/// The separation along the cross product of two edges; -infinity if unreliable, or without edges.
 template <class S> S along_edges(const FeaturePair<S>& pair, const std::pair<int, int>& edges) {
   const auto& [edge_a, edge_b] = edges;
   const Hull<S>& a = pair.a.hull;
@@ -272,8 +271,7 @@ template <class S>
 PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const CollideOptions& options,
                       const SatResult<S>& axes, const FaceSeparations<S>& faces_a,
                       const FaceSeparations<S>& faces_b, const Contact<S>& contact) {
-  const Hull<S>& a = pair.a.hull;
-  const Hull<S>& b = pair.b.hull;
+  const Hull<S>&a = pair.a.hull, &b = pair.b.hull;
   const bool touching = axes.status == SatStatus::Touching;
   PairCache<S> cache;
   cache.radius_a = a.radius;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/manifold.h"
-#include "core/pose.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
 #include "query/sat.h"
@@ -94,8 +92,7 @@ CacheAnswer<S> collide_from_cache(const Hull<S>& a, const Hull<S>& b, const Pose
                                   const CollideOptions& options, const PairCache<S>& cache,
                                   Contact<S>& contact, Recorder<S>* recorder);
 
-/// Cache of a full test: `axes` and `contact` are its results, `faces_a` and `faces_b` the
-/// separations from its face queries.
+/// Cache of a full test with these results; `faces_a`, `faces_b`: from its face queries.
 template <class S>
 PairCache<S> cache_of(const HullPair<S>& pair, const Pose<S>& b_in_a, const CollideOptions& options,
                       const SatResult<S>& axes, const FaceSeparations<S>& faces_a,

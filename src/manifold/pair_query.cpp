@@ -120,12 +120,11 @@ Answer<S> query_field(const PlacedPair<S>& pair, const Question& question, trace
   for (const Manifold<S>& manifold :
        contacts_within(question.tolerance + bound, pair, record, stages))
     for (const ContactPoint<S>& point : manifold.points)
-      if (!gap || static_cast<double>(point.separation) < *gap->gap) {
+      if (!gap || static_cast<double>(point.separation) < *gap->gap)
         gap = {.gap = static_cast<double>(point.separation),
                .method = QueryMethod::Contacts,
                .normal = manifold.normal.template cast<double>(),
                .on_b = point.position.template cast<double>()};
-      }
   if (gap) {
     const auto along = [&](const Pose<double>& pose) {
       return rounding_along(gap->normal, pose, pose.inverse_transform(gap->on_b), kEpsilon<S>);
@@ -203,13 +202,12 @@ Answer<S> query_pair(const QueriedShape<S>& a, const QueriedShape<S>& b, const Q
                      QueryMemory* memory) {
   const ShapeKind kind_a = kind_of(a.shape), kind_b = kind_of(b.shape);
   const bool swapped = kind_a == kind_b ? b_first : kind_a > kind_b;
-  if (record == nullptr)
-    return query_in_order(swapped ? b : a, swapped ? a : b, question, nullptr, stages, memory);
+  const QueriedShape<S>&first = swapped ? b : a, &second = swapped ? a : b;
+  if (record == nullptr) return query_in_order(first, second, question, nullptr, stages, memory);
   if (swapped) std::swap(record->a, record->b);
-  record->kind = pair_kind((swapped ? b : a).shape, (swapped ? a : b).shape);
+  record->kind = pair_kind(first.shape, second.shape);
   record_question(question, *record);
-  const Answer<S> answer =
-      query_in_order(swapped ? b : a, swapped ? a : b, question, record, stages, memory);
+  const Answer<S> answer = query_in_order(first, second, question, record, stages, memory);
   record->query->method = to_string(answer.method);
   record->query->touching = answer.touching;
   if (answer.gap) record->query->gap = static_cast<double>(*answer.gap);

@@ -8,8 +8,7 @@
 #include "query/overlap.h"
 #include "query/v_clip.h"
 
-/// Queries of two shapes other than their manifold: overlap, touching, distance or depth, of the
-/// shapes themselves or of their bounds.
+/// Queries other than the manifold: overlap, touching, distance, depth, of shapes or their bounds.
 namespace contactscope {
 
 /// Whether shapes that only touch overlap.
@@ -78,8 +77,7 @@ template <class S> class OwnBounds {
   std::optional<std::optional<BoundingSphere<S>>> sphere_;
 };
 
-/// A shape placed in the world, with its cached bounds. `bounds` belong to this shape alone; reset
-/// them when it deforms.
+/// A shape placed in the world, with cached bounds of its own; reset them when it deforms.
 template <class S> struct QueriedShape {
   const Shape<S>& shape;
   const Pose<S>& pose;

@@ -4,18 +4,15 @@
 #include "manifold/recorder.h"
 #include "query/support_set.h"
 
-/// The methods of query_pair(), each in the file of its name. All work in A's frame and record into the
-/// record's `query`, in the world.
+/// The methods of query_pair(), in files of their names: in A's frame; they record in the world.
 namespace contactscope {
 
-/// A convex shape as the points within `radius` of its core, in double whatever the scalar of the
-/// input. Refers to the shape it was made from.
+/// A convex shape as the points within `radius` of its core, in double. Refers to that shape.
 struct PlacedCore {
   SupportSet<double> set;
   double radius = 0;  // metres
   Pose<double> given;
   Vec3d origin = Vec3d::Zero();  // of the set's frame in `given`'s frame, with the same axes
-
   Pose<double> pose() const { return {given.rotation, given.transform(origin)}; }
   bool has_volume() const { return set.hull != nullptr; }
 };

@@ -110,9 +110,9 @@ Answer<S> answer_of_bounds(const Bound& a, const Bound& b, const Question& quest
 template <class S>
 Answer<S> query_bounds(const QueriedShape<S>& a, const QueriedShape<S>& b, const Question& question,
                        trace::Pair* record) {
-  const auto test = [](const auto& of_a, const auto& of_b) {
+  const auto test = [](const auto& of_a, const auto& of_b, const auto&... axes_tried) {
     return [&](const Comparison<S>& comparison, OverlapRecord<S>* axes) {
-      return overlaps(of_a, of_b, comparison, axes);
+      return overlaps(of_a, of_b, comparison, axes_tried..., axes);
     };
   };
   if (*question.bounds == QueryMethod::Aabb) {
@@ -127,10 +127,7 @@ Answer<S> query_bounds(const QueriedShape<S>& a, const QueriedShape<S>& b, const
   const Obb<S> of_a = placed(*a.bounds.obb(a.shape), a.pose);
   const Obb<S> of_b = placed(*b.bounds.obb(b.shape), b.pose);
   const ObbTest<S> axes_tried{question.test.axes, static_cast<S>(question.test.skip_up_to)};
-  return answer_of_bounds<S>(of_a, of_b, question, record,
-                             [&](const Comparison<S>& comparison, OverlapRecord<S>* axes) {
-                               return overlaps(of_a, of_b, comparison, axes_tried, axes);
-                             });
+  return answer_of_bounds<S>(of_a, of_b, question, record, test(of_a, of_b, axes_tried));
 }
 
 CONTACTSCOPE_FLOAT_AND_DOUBLE(query_bounds);

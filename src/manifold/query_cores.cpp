@@ -8,8 +8,7 @@
 namespace contactscope {
 namespace {
 
-/// Rounding of results computed in double. GJK and the separating axis test have differed by up to
-/// 36 epsilon, see may_overlap().
+/// Rounding of results in double: GJK and the separating axis test differ by up to 36 epsilon.
 double rounding_of_double(double lengths) { return depth_rounding(2 * lengths); }
 
 double rounding_along(const Vec3d& normal, const PlacedCore& core, const Vec3d& in_set,
@@ -99,18 +98,11 @@ std::vector<trace::NodePair> recorded_node_pairs(const AabbTree<S>& a, const Aab
 
 template <class S>
 trace::Containment recorded_containment(Containment containment, const Mesh<S>& b) {
-  switch (containment) {
-    case Containment::AInB:
-      return {"inside", "outside"};
-    case Containment::BInA:
-      return {"outside", "inside"};
-    case Containment::AHasHoles:
-      return {"open", open_edges(b).empty() ? "unknown" : "open"};
-    case Containment::BHasHoles:
-      return {"unknown", "open"};
-    case Containment::Separation:
-      break;
-  }
+  using enum Containment;
+  if (containment == AInB) return {"inside", "outside"};
+  if (containment == BInA) return {"outside", "inside"};
+  if (containment == AHasHoles) return {"open", open_edges(b).empty() ? "unknown" : "open"};
+  if (containment == BHasHoles) return {"unknown", "open"};
   return {"outside", "outside"};
 }
 
@@ -119,8 +111,7 @@ trace::Containment recorded_containment(Containment containment, const Mesh<S>& 
 double rounding_along(const Vec3d& normal, const Pose<double>& pose, const Vec3d& in_frame,
                       Epsilon epsilon) {
   const Vec3d local = pose.inverse_rotate(normal);
-  // The derivatives of normal . (q x q*) / |q|^2 with respect to the four numbers of q, halved; x
-  // is the point.
+  // Half the derivatives of normal . (q x q*) / |q|^2 by the four numbers of q; x is the point.
   const double w = pose.rotation.w();
   const Vec3d v = pose.rotation.vec(), &x = in_frame;
   const double along = local.dot(x);

@@ -152,8 +152,7 @@ void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const V
 
 namespace {
 
-/// Maximum number of vertex differences for the Minkowski difference: two hulls of 64 vertices,
-/// which take some milliseconds.
+/// Most vertex differences for the Minkowski difference: two hulls of 64 vertices, milliseconds.
 constexpr int kMaxMinkowskiPoints = 4096;
 
 /// A result of the pipeline, in the world, as a fact.
@@ -188,9 +187,8 @@ template <class S> trace::Polygon Recorder<S>::polygon(const ClipPolygon<S>& in_
 }
 
 /// The edge query looks only for pairs that beat the faces, and skips whole arcs of others.
-/// Pictures also need the best pair where none beats the faces, and all crossings; these are
-/// queried here. Collecting both in the query would slow a recorded pair with an edge contact by
-/// half.
+/// Pictures also need all crossings, and the best pair where none beats the faces. To collect both
+/// in the query would slow a recorded pair with an edge contact by half.
 template <class S>
 void Recorder<S>::axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_a,
                        const SatResult<S>& axes, Preference preference) {
@@ -206,12 +204,10 @@ void Recorder<S>::axes(const HullPair<S>& pair, const FaceSeparations<S>& faces_
     sat.face_a = recorded(axes.face_a, pair.a.normals[axes.face_a.face], pair.b);
   if (axes.queries_run >= 2)
     sat.face_b = recorded(axes.face_b, -pair.b.normals[axes.face_b.face], pair.a);
-  if (stages_.gauss_map) {
-    for (const EdgeQuery<S>& query : all_crossings(pair, faces_a)) {
+  if (stages_.gauss_map)
+    for (const EdgeQuery<S>& query : all_crossings(pair, faces_a))
       sat.edge_pairs.push_back(
           {query.edge_a / 2, query.edge_b / 2, query.separation, direction(query.normal)});
-    }
-  }
   if (axes.queries_run < 3) return;
   EdgeQuery<S> query = axes.edge;
   if (query.edge_a < 0)

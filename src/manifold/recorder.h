@@ -2,11 +2,8 @@
 
 #include "geometry/mesh.h"
 #include "manifold/clip.h"
-#include "manifold/collide_options.h"
 #include "manifold/pair_cache.h"
-#include "query/gjk.h"
 #include "query/penetration.h"
-#include "query/sat.h"
 #include "query/v_clip.h"
 #include "trace/trace.h"
 
@@ -19,12 +16,10 @@ template <class S> struct PersistentManifold;
 struct IncrementalOptions;
 
 /// Writes each stage's decisions into a trace::Pair: from A's frame to the world in the pipeline's
-/// own scalar, then exactly to double. The record is in processing order; whoever swapped the
-/// shapes mirrors it, see dispatch.h.
+/// scalar, then to double. Whoever swapped the shapes mirrors the record, see dispatch.h.
 ///
-/// Stages get a pointer to it, null when not recording, and record as they go. Its functions are
-/// cold: without a recorder each costs the pipeline one untaken branch. A test checks that
-/// recording changes no bit of the result.
+/// Stages get a pointer to it, null when not recording. Its functions are cold: without a recorder
+/// each costs the pipeline one untaken branch. A test checks that recording changes no bit.
 template <class S> class Recorder {
  public:
   /// `pair` must outlive this. It is empty except for the names of the shapes, in processing order.
@@ -79,17 +74,14 @@ template <class S> class Recorder {
   void contact_axis(AxisKind kind) {
     if (stages_.sat) pair_.sat->chosen = to_string(kind);
   }
-  /// Runs a reducer and records its choices if the stages include them. `points` and `normal` in
-  /// the world.
+  /// Runs a reducer and records its choices if the stages include them. In the world.
   KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,
                      const ReduceOptions& options);
   /// Begins the stages of the next triangle of a mesh, which collides as a flat hull. A record has
-  /// room for those of one: of `options.recorded_triangle`, or else of the deepest contact, and
-  /// without contacts of the nearest triangle.
+  /// room for one: `options.recorded_triangle`, or else the deepest, or the nearest.
   void triangle_begins();
   void triangle_ends(int triangle, S separation, bool touches, const CollideOptions& options);
-  /// Writes the stages of that triangle. Its face has the triangle's number, edge k the number
-  /// 3 triangle + k.
+  /// Writes the stages of that triangle, with its number as face, and 3 triangle + k for edge k.
   void triangles_end();
   /// `points` contact points of these triangles of a mesh became the next manifold.
   void merged(std::vector<int> triangles, int points);
@@ -124,8 +116,7 @@ template <class S> class Recorder {
   void voided(Owner owner, const char* reason, const Contact<S>& contact);
   /// The pair's separation, metres, for a record without points.
   void separation(S separation) { pair_.separation = separation; }
-  /// Record of the points that the search in a distance field sampled, in the field's frame; null
-  /// if they are not recorded.
+  /// Record of the points sampled in a distance field, field's frame; null if not recorded.
   std::vector<trace::FieldProbe>* field_probes() { return stages_.fields ? &probes_ : nullptr; }
   /// Writes these points; `field_in_a` is the pose of the field's frame in A's.
   void field_search(FieldSearch method, const Pose<double>& field_in_a);

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "core/pack.h"
-#include "core/pose.h"
-#include "geometry/hull.h"
 #include "geometry/shape.h"
 #include "manifold/contact.h"
 #include "query/hull_feature.h"
@@ -80,8 +78,7 @@ template <class S> Vec3<S> body_perpendicular(const Vec3<S>& along) {
   return unit.isZero(S(0)) ? Vec3<S>(Vec3<S>::UnitY()) : any_perpendicular(unit);
 }
 
-/// The feature of a capsule's axis at `parameter`: an end or the edge between the ends. An axis of
-/// length zero is its first end.
+/// The feature of a capsule's axis at `parameter`; an axis of length zero is its first end.
 template <class S> FeatureRef axis_feature(Owner owner, S parameter, bool has_length = true) {
   if (!has_length || parameter <= S(0)) return vertex_ref(owner, 0);
   return parameter >= S(1) ? vertex_ref(owner, 1) : edge_ref(owner, 0);
@@ -105,12 +102,10 @@ void add_round_point(const Vec3<S>& core_a, S radius_a, const Vec3<S>& core_b, S
   contact.points.push_back({S(0.5) * (on_a + on_b), distance - (radius_a + radius_b), id});
 }
 
-// Shared by the pairs with hulls. They are computed in the hull's own frame, in which its lanes are
-// stored and its vertices are exact.
+// Shared by the pairs with hulls, in the hull's own frame, where its lanes and vertices are exact.
 
-/// A core nearer to a vertex or an edge than this touches it. Closer, the difference of the closest
-/// points is about an ulp of the coordinates in each component and could turn the normal by up to
-/// 90 degrees.
+/// A core nearer to a vertex or an edge than this touches it. Closer, an ulp of the coordinates
+/// could turn the difference of the closest points by up to 90 degrees.
 template <class S> S touching_distance(S scale) {
   return S(16) * std::numeric_limits<S>::epsilon() * scale;
 }
@@ -119,8 +114,7 @@ template <class S> S touching_distance(S scale) {
 /// differ by 0.1%, a fiftieth of what a preference between axes accepts.
 template <class S> constexpr S kNearlyParallelSine = S(0.05);
 
-/// Upper bound of all coordinates in both frames and between them. `core_reach` is the round
-/// shape's in its own frame.
+/// Upper bound of all coordinates in both frames. `core_reach`: of the round shape in its own.
 template <class S> S length_scale(const Hull<S>& hull, const Pose<S>& b_in_a, S core_reach) {
   return hull.centroid.norm() + hull.radius + b_in_a.position.norm() + core_reach;
 }

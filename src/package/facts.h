@@ -1,13 +1,9 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/shape.h"
 #include "image/image.h"
 #include "package/contactscope/render.h"
-#include "package/contactscope/shape.h"
-#include "package/contactscope/trace.h"
 #include "trace/json.h"
-#include "trace/trace.h"
 
 /// Conversions between the package's plain data and the library's types. In the package, the
 /// library's types have qualified names: contactscope::Manifold<double>.

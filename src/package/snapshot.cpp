@@ -115,8 +115,7 @@ std::optional<std::size_t> recorded_frame(const std::string& name, const Facts& 
   return facts.frames.empty() ? std::nullopt : std::optional<std::size_t>(0);
 }
 
-/// Pictures of one frame as stored and as it is now. They have the same camera if the shapes are
-/// the same.
+/// Pictures of one frame as stored and now, with one camera if the shapes are the same.
 std::array<Image, 2> both_drawn(const Facts& expected, std::size_t i, const Facts& actual,
                                 std::size_t j) {
   std::array<Image, 2> drawn;

@@ -8,12 +8,10 @@
 namespace contactscope {
 namespace {
 
-/// Faces with a smaller sine of their angle count as parallel: a tie between them does not affect
-/// the normal.
+/// Faces with a smaller sine of their angle are parallel: the normal is the same after a tie.
 template <class S> constexpr S kSameDirection = S(0.05);
 
-/// For every face: distances of both ends from its plane, the smaller of these, and the rise of the
-/// segment along its normal.
+/// For every face: both ends' distances, the smaller one, and the segment's rise along the normal.
 template <class S> struct FaceDistances {
   FaceDistances(const Hull<S>& hull, const Vec3<S> (&ends)[2])
       : at_start(padded(hull.face_count())),
@@ -99,10 +97,9 @@ void mark_faces(const FaceDistances<S>& distances, S bound, int count, int* __re
   const S* __restrict start = distances.at_start.data();
   const S* __restrict end = distances.at_end.data();
   const S* __restrict rise = distances.rise.data();
-  for (int f = 0; f < count; ++f) {
+  for (int f = 0; f < count; ++f)
     marks[f] = kNeither + (rise[f] > S(0) ? kRises : 0) + (start[f] > bound ? kStartAbove : 0) +
                (end[f] > bound ? kEndAbove : 0);
-  }
 }
 
 /// Collects in `edges` those whose arcs cross the ring and reach above `bound` (metres, <= 0);
@@ -126,8 +123,7 @@ int crossing_edges(const Hull<S>& hull, const FaceDistances<S>& distances, S bou
   return count;
 }
 
-/// The same for a positive bound: |n(t)| is smallest in the middle, where it is the cosine of half
-/// the angle between the faces.
+/// For a positive bound: |n(t)| is smallest in the middle, the cosine of half the faces' angle.
 template <class S>
 bool arc_stays_below(const Hull<S>& hull, const FaceDistances<S>& distances, int f, int g,
                      S bound) {
@@ -206,7 +202,6 @@ CapsuleSat<S> capsule_sat(const Hull<S>& hull, const Vec3<S> (&ends)[2], S reach
   CapsuleSat<S> result;
   best_face(hull, ends, distances, tie, result);
   if (result.face_separation > reach) return result;
-
   Scratch<int, 192> edges(hull.edge_count());
   const S bound = std::min(result.face_separation, S(0));
   const int count = crossing_edges(hull, distances, bound, edges.data());
@@ -222,8 +217,7 @@ namespace {
 template <class S>
 CapsuleTouch<S> face_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2], int face, S scale) {
   const Plane<S>& plane = at(hull.planes, face);
-  const S at_start = plane.distance(ends[0]);
-  const S at_end = plane.distance(ends[1]);
+  const S at_start = plane.distance(ends[0]), at_end = plane.distance(ends[1]);
   return {.feature = {FeatureKind::Face, face},
           .parameter = at_end < at_start ? S(1) : S(0),
           .distance = std::min(at_start, at_end),
@@ -254,9 +248,8 @@ template <class S> Vec3<S> across(const Vec3<S>& offset, const Vec3<S>& along) {
   return offset - (offset.dot(along) / along.squaredNorm()) * along;
 }
 
-/// Vector from the closest point of the feature to that of the segment. If one of them is a vertex
-/// or an end, computed from the nearer end of the other, so that rounding is relative to the
-/// distance and not to the coordinates.
+/// Vector from the closest point of the feature to that of the segment. With a vertex or an end,
+/// from the nearer end of the other: rounding is then relative to the distance.
 template <class S>
 Vec3<S> outward(const Hull<S>& hull, const Vec3<S> (&ends)[2], HullFeature& feature, S& parameter) {
   const Vec3<S> along = ends[1] - ends[0];
@@ -347,9 +340,8 @@ CapsuleTouch<S> capsule_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
     const bool cross = closest.parameter_a > S(0) && closest.parameter_a < S(1) &&
                        closest.parameter_b > S(0) && closest.parameter_b < S(1);
     if (cross && touch.distance > touching && closest.distance > touch.distance + tie) {
-      // Separated, no axis has more than the distance, but this axis has less: the cross product of
-      // nearly parallel edges is rounded by epsilon over their sine. The error of the points along
-      // the edges hardly changes their distance.
+      // Separated, no axis has more than the distance, but this one has less: the cross product of
+      // nearly parallel edges is rounded by epsilon over their sine. Their distance hardly changes.
       touch.distance = closest.distance;
       touch.normal = (closest.on_a - closest.on_b) / closest.distance;
     }

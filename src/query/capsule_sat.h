@@ -1,15 +1,12 @@
 #pragma once
 
-#include "geometry/hull.h"
-#include "query/gjk.h"
 #include "query/hull_feature.h"
 
 /// The separating axis test for a segment (a capsule's core) and a hull. Source: Gregorius 2015,
 /// "Capsule vs Hull: Deep Penetration". Everything in the hull's frame, metres.
 namespace contactscope {
 
-/// Result of the test. Separations are those of the segment, not of the capsule: negative if the
-/// segment overlaps the hull along that axis.
+/// Result of the test. Separations are the segment's, not the capsule's; negative in overlap.
 template <class S> struct CapsuleSat {
   int face = 0;            // best face of the hull
   S face_separation = 0;   // of the segment's lower end
@@ -18,7 +15,6 @@ template <class S> struct CapsuleSat {
   int edge = -1;  // half-edge of the hull whose edge pair beats the faces; -1: none
   S edge_separation = 0;
   Vec3<S> edge_normal = Vec3<S>::UnitX();  // unit, from the hull to the segment
-
   bool edge_wins() const { return edge >= 0; }
   /// Largest separation over all axes. Above 0: a lower bound of the distance between segment and
   /// hull, exact if a face or two edges are closest. Below 0: the negative depth.
@@ -38,8 +34,7 @@ enum class CapsuleTouchKind {
   Closest,   // closest points with a vertex, or between an end of the segment and an edge
 };
 
-/// Closest feature of a hull to a segment, or in overlap the direction of least penetration. Hull's
-/// frame, metres.
+/// A hull's closest feature to a segment, or in overlap the least depth. Hull's frame, metres.
 template <class S> struct CapsuleTouch {
   CapsuleTouchKind kind = CapsuleTouchKind::Face;
   HullFeature feature;  // of the hull

@@ -25,8 +25,7 @@ template <class S> struct Segment {
 template <class S> S foot(const Vec3<S>& point, const Segment<S>& segment) {
   if (!(segment.squared_length > S(0))) return S(0);
   // From the nearer end, so that the rounding of a long segment is relative to the distance.
-  const Vec3<S> from_start = point - segment.from;
-  const Vec3<S> from_end = point - segment.to;
+  const Vec3<S> from_start = point - segment.from, from_end = point - segment.to;
   if (from_start.squaredNorm() <= from_end.squaredNorm())
     return from_start.dot(segment.along) / segment.squared_length;
   return S(1) + from_end.dot(segment.along) / segment.squared_length;
@@ -41,8 +40,7 @@ template <class S> struct Candidate {
   S squared_overhang;  // square metres: from the foot of the perpendicular to the segment's end
 };
 
-/// True if the point is alongside the other segment. The foot is uncertain by a few roundings of
-/// the distance and of the segment's length.
+/// True if the point is alongside the other segment, by more than the rounding of its foot.
 template <class S>
 bool is_outside(const Candidate<S>& candidate, const Segment<S>& a, const Segment<S>& b) {
   constexpr S kRounding = S(8) * std::numeric_limits<S>::epsilon();
@@ -122,8 +120,7 @@ void from_all_ends(const Segment<S>& a, const Segment<S>& b, Candidate<S>* candi
   }
 }
 
-/// Midpoint between the smallest and the largest parameters of some candidates. Independent of
-/// their order, and symmetric in A and B.
+/// Midpoint of the smallest and largest parameters of candidates in any order; symmetric in both.
 template <class S> struct Middle {
   bool empty() const { return low_a > high_a; }
   S a() const { return S(0.5) * (low_a + high_a); }
@@ -149,8 +146,7 @@ Middle<S> middle_where(std::span<const Candidate<S>> candidates, const Counts& c
 template <class S>
 ClosestOfSegments<S> at_parameters(S parameter_a, S parameter_b, const Segment<S>& a,
                                    const Segment<S>& b) {
-  const Vec3<S> on_a = a.at(parameter_a);
-  const Vec3<S> on_b = b.at(parameter_b);
+  const Vec3<S> on_a = a.at(parameter_a), on_b = b.at(parameter_b);
   return {on_a, on_b, parameter_a, parameter_b, Vec3<S>(on_b - on_a).norm()};
 }
 

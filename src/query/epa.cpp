@@ -46,10 +46,9 @@ template <class S> int spread(StartPoints<S>& points, int count, S least) {
   return count;
 }
 
-/// Expands GJK's last simplex to a tetrahedron. The origin is its closest point within rounding.
-/// Flat tetrahedra are first reduced to their largest face, and so on; then the support points that
-/// are farthest outside are added. The origin stays inside or on the boundary, because every
-/// simplex contains the one before.
+/// Expands GJK's last simplex, whose closest point within rounding is the origin, to a tetrahedron.
+/// Flat ones are first reduced to their largest face, and so on; then support points farthest
+/// outside are added. Every simplex contains the one before, and so the origin.
 ///
 /// Source: van den Bergen, "Collision Detection in Interactive 3D Environments", 2003, section
 /// 4.3.8. There a segment becomes two tetrahedra and a triangle a double pyramid. With the origin
@@ -95,8 +94,7 @@ StartSimplex<S> blow_up(const GjkSimplex<S>& simplex, BoundedDifference<S>& diff
   return start;
 }
 
-/// True if the origin is in a tetrahedron, or no farther outside than may_overlap() allows. Not
-/// certain for the simplex of an earlier pose.
+/// Whether the origin is in a tetrahedron up to may_overlap(): a simplex may be of an earlier pose.
 template <class S> bool holds_origin(const Polytope<S>& tetrahedron, S rounding) {
   return std::ranges::none_of(tetrahedron.faces, [&](const PolytopeFace<S>& face) {
     return face.offset < -S(16) * rounding;
@@ -148,8 +146,7 @@ template <class S> void weigh(const Polytope<S>& polytope, BoundedDifference<S>&
 }
 
 /// If a face's normal is too uncertain to give a new support point, turn its plane about its
-/// longest edge until no point is beyond it: gift wrapping. That edge and the last far point make a
-/// face of the difference that is not a needle.
+/// longest edge until no point is beyond it: gift wrapping. That makes a face that is no needle.
 template <class S>
 void turn_about_longest_edge(const Polytope<S>& polytope, const PolytopeFace<S>& face,
                              DifferencePoint<S> beyond, S tolerance,
@@ -174,8 +171,7 @@ void turn_about_longest_edge(const Polytope<S>& polytope, const PolytopeFace<S>&
   }
 }
 
-/// For a difference without volume, the closest point of GJK's last simplex gives the deepest
-/// points. It is the origin within rounding.
+/// Without volume, the closest point of GJK's last simplex, the origin, gives the deepest points.
 template <class S>
 PenetrationResult<S> flat_result(const GjkSimplex<S>& simplex, const StartSimplex<S>& start,
                                  BoundedDifference<S>& difference) {

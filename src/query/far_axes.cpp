@@ -29,9 +29,8 @@ template <class S> struct Search {
 ///
 /// For x on the chord between the ends, the separation is min x . (b - e) / |x| over B's vertices
 /// b. Without the division each vertex gives a line, and the support vertex has the lowest one.
-/// With it each gives a piece of a sine, which is convex where it is negative, as |x| <= 1: it is
-/// largest at the ends. So nothing is above the ends and the crossing of the lines of both ends
-/// (Kelley 1960, the cutting-plane method).
+/// With it each gives a piece of a sine, which is convex where it is negative, as |x| <= 1: nothing
+/// is above the ends and the crossing of their lines (Kelley 1960, the cutting-plane method).
 ///
 ///       -.      .-     Steps: if the crossing is too high, find the support vertex there. Its line
 ///         `-. .-       bounds the side on which it falls, which is then done; continue with the
@@ -106,18 +105,16 @@ S largest_on_arc(const Search<S>& search, const Vec3<S>& e, const Sample<S>& fir
   const S second_cosine = second.direction.dot(search.normal);
   if (first_cosine >= search.cosine) return largest_far_part(search, e, second, first.direction);
   if (second_cosine >= search.cosine) return largest_far_part(search, e, first, second.direction);
-  // Both ends are far. In between, the arc is closest to the normal at the normal's projection on
-  // its plane, if that is on the arc.
+  // Both ends are far. In between, the normal's projection on the arc's plane is closest, if there.
   const S between = first.direction.dot(second.direction);
   const S along_first = first_cosine - between * second_cosine;
   const S along_second = second_cosine - between * first_cosine;
   if (along_first > S(0) && along_second > S(0)) {
     const Vec3<S> nearest = along_first * first.direction + along_second * second.direction;
     const Vec3<S> unit = nearest / nearest.norm();
-    if (unit.dot(search.normal) > search.cosine) {
+    if (unit.dot(search.normal) > search.cosine)
       return std::max(largest_far_part(search, e, first, unit),
                       largest_far_part(search, e, second, unit));
-    }
   }
   return largest_between(search, e, first, second);
 }

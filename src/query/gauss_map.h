@@ -9,8 +9,7 @@ namespace contactscope {
 ///
 /// On the Gauss map (the unit sphere of normals) an edge of A is the arc between the normals a1 and
 /// a2 of its two faces. B is subtracted, so an edge of B is the arc between -b1 and -b2. These arcs
-/// divide the sphere into one region per vertex of B: the directions in which that vertex is B's
-/// deepest.
+/// divide the sphere into the directions in which each vertex of B is its deepest.
 ///
 ///           -b1
 ///      v     |     u

@@ -25,8 +25,7 @@ template <class S> struct GjkVertex {
   Vec3<S> a, b;          // both in A's frame
 };
 
-/// The indices give the closest features. On A: one distinct index_a is a vertex, two are an edge,
-/// three are a face; likewise on B.
+/// Closest features: one distinct index_a is a vertex of A, two are an edge, three a face; also B.
 template <class S> struct GjkSimplex {
   StaticVector<GjkVertex<S>, 4> vertices;
   std::array<S, 4> weights;  // barycentric, of the point closest to the origin; positive, sum 1

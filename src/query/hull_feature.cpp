@@ -16,7 +16,6 @@ template <class S> bool has_all(const Hull<S>& hull, int face, const Corners& co
            return has(corners, at(hull.half_edges, edge).origin);
          }) == count_of(corners);
 }
-
 /// Outward normal of a side plane with the length of its edge, which avoids a square root.
 template <class S> struct SidePlane {
   SidePlane(const Hull<S>& hull, int half_edge, const Vec3<S>& face_normal)
@@ -24,16 +23,12 @@ template <class S> struct SidePlane {
         normal(Vec3<S>(hull.target(half_edge) - origin).cross(face_normal)),
         // Between 1 and 1.8 times the edge's length.
         length(normal.cwiseAbs().sum()) {}
-
   S distance(const Vec3<S>& point) const { return normal.dot(Vec3<S>(point - origin)); }
-
   const Vec3<S>& origin;
   Vec3<S> normal;
   S length;
 };
-
-/// Clips the interval where the distance from a plane, linear along the segment, exceeds
-/// `thickness`.
+/// Clips the interval where the distance from a plane exceeds `thickness`.
 template <class S> void cut(S start, S end, S thickness, int edge, ClippedSegment<S>& clipped) {
   if (start <= thickness && end <= thickness) return;
   if (start > thickness && end > thickness) {

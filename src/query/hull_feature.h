@@ -13,7 +13,6 @@ namespace contactscope {
 struct HullFeature {
   FeatureKind kind = FeatureKind::Vertex;
   int index = -1;
-
   bool operator==(const HullFeature&) const = default;
   FeatureRef ref(Owner owner) const {
     return {owner, kind, static_cast<std::uint32_t>(kind == FeatureKind::Edge ? index / 2 : index)};
@@ -44,13 +43,11 @@ template <class S> int nearest_outside_edge(const Hull<S>& hull, int face, const
 template <class S>
 bool projects_into(const Hull<S>& hull, int face, const Vec3<S>& point, S thickness);
 
-/// Remaining part of a segment: from parameters[0] to parameters[1], both in [0, 1]; empty if they
-/// are reversed.
+/// Rest of a segment: from parameters[0] to parameters[1], in [0, 1]; empty if they are reversed.
 template <class S> struct ClippedSegment {
   S parameters[2] = {0, 1};
   /// Half-edges of the sides that clipped the two ends; -1: the segment's own end.
   int edges[2] = {-1, -1};
-
   bool empty() const { return parameters[0] > parameters[1]; }
 };
 
@@ -60,14 +57,12 @@ template <class S>
 ClippedSegment<S> clip_to_prism(const Hull<S>& hull, int face, const Vec3<S> (&ends)[2],
                                 S thickness);
 
-/// The part of the segment that is alongside an edge: between the planes through the edge's
-/// vertices, perpendicular to the edge. A clipped end stores the half-edge that leaves the vertex:
-/// the given one or its twin.
+/// The part of the segment alongside an edge: between the planes through its vertices,
+/// perpendicular to it. A clipped end stores the half-edge that leaves the vertex.
 template <class S>
 ClippedSegment<S> clip_to_edge(const Hull<S>& hull, int half_edge, const Vec3<S> (&ends)[2]);
 
-/// Initial simplex for a warm start: a point of the core and a nearby edge of the hull. GJK needs
-/// only a few steps from there.
+/// Initial simplex: a point of the core and a nearby edge of the hull, few steps from the end.
 template <class S> GjkSimplex<S> simplex_near(const Hull<S>& hull, int half_edge, int core_point) {
   GjkSimplex<S> simplex;
   simplex.weights = {};

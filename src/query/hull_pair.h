@@ -1,15 +1,13 @@
 #pragma once
 
-#include "core/pose.h"
 #include "core/static_vector.h"
 #include "geometry/hull.h"
 #include "geometry/lanes.h"
 
 namespace contactscope {
 
-/// A hull placed in the common frame of a pair, laid out for the loops of the queries. Topology
-/// stays in `hull`, which must outlive this; so do the lanes of a hull in its own frame. No heap
-/// allocation up to 64 vertices and 128 faces.
+/// A hull in the common frame of a pair, laid out for the loops of the queries. Refers to `hull`,
+/// also for lanes of a hull in its own frame. On the stack up to 64 vertices and 128 faces.
 template <class S> struct PlacedHull {
   using Scalar = S;
 
@@ -17,7 +15,6 @@ template <class S> struct PlacedHull {
   PlacedHull(const Hull<S>& placed, const Mat3<S>& to_frame, const Vec3<S>& position);
   /// For the hull whose own frame is the common frame.
   explicit PlacedHull(const Hull<S>& placed);
-
   Vec3<S> vertex(int index) const { return vertices[index]; }
   Vec3<S> normal(int face) const { return normals[face]; }
   Plane<S> plane(int face) const { return {normals[face], offsets[face]}; }
@@ -41,9 +38,8 @@ template <class S> struct PlacedHull {
   Scratch<S, 3 * 64 + 4 * 128> placed_;  // storage of the lanes, unless they are the hull's own
 };
 
-/// A hull placed in the common frame of a pair that transforms features only on demand: for
-/// contacts that use two faces of a hull and no others. Same interface for single features as
-/// PlacedHull, with bitwise equal results.
+/// A hull in the common frame of a pair that transforms features on demand: for contacts of two
+/// faces. Same interface for single features as PlacedHull, with bitwise equal results.
 ///
 /// `kMoved` is false for the hull whose own frame is the common frame.
 template <class S, bool kMoved> struct PlacedFeatures {

@@ -32,8 +32,7 @@ template <class S> void MeshFront::begin(const AabbTree<S>& a, const AabbTree<S>
 std::optional<ParentPair> MeshFront::parent_of_last_child(const NodeIndices& nodes) const {
   const auto [i, j] = nodes;
   const TreeLayout::Node &a = a_.node(i), &b = b_.node(j);
-  // Both trees are descended level by level until one is at a leaf: the deeper node descended last,
-  // or both did.
+  // Both trees are descended level by level until one is at a leaf: last the deeper one, or both.
   const bool a_went = a.depth >= b.depth, b_went = b.depth >= a.depth;
   if (a.depth == 0 && b.depth == 0) return std::nullopt;
   const bool last_a = !a_went || i != a.parent + 1, last_b = !b_went || j != b.parent + 1;
@@ -50,8 +49,7 @@ Triangle<S> corners_of(const std::vector<Vec3<S>>& vertices, const std::array<in
   return {at(vertices, triangle[0]), at(vertices, triangle[1]), at(vertices, triangle[2])};
 }
 
-/// overlaps(); for floats with all axes at once. Lanes: lower x, y, z and an ignored upper x,
-/// against upper x, y, z and a lower z.
+/// overlaps(); in float all axes at once: lower x, y, z, upper x, against upper x, y, z, lower z.
 template <class S> bool boxes_overlap(const Aabb<S>& a, const Aabb<S>& b) {
   if constexpr (std::is_same_v<S, float>) {
     static_assert(sizeof(Aabb<float>) == 6 * sizeof(float));
@@ -148,8 +146,7 @@ template <class S> class MeshTraversal {
     ++separation_;
   }
 
-  /// Replaces children at the end of the front by their parents, as long as all children are
-  /// separated and the parents are, too.
+  /// Replaces children at the end of the front by their parents, while all of them are separated.
   void climb(MeshFront& front) {
     while (const auto parent = front.parent_of_last_child(front.pairs.back())) {
       const auto [i, j] = parent->nodes;
@@ -193,10 +190,9 @@ template <class S> class MeshTraversal {
     ++result_.counts.leaf_pairs;
     for (int k = a.next; k < a.next + a.count; ++k) {
       if (!boxes_overlap(at(a_.tree.boxes, k), b.box)) continue;
-      for (int l = b.next; l < b.next + b.count; ++l) {
+      for (int l = b.next; l < b.next + b.count; ++l)
         if (boxes_overlap(at(a_.tree.boxes, k), at(tree_b_.boxes, l)))
           compare_triangles(at(a_.tree.triangles, k), at(tree_b_.triangles, l));
-      }
     }
   }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/pose.h"
-#include "geometry/aabb_tree.h"
 #include "geometry/mesh.h"
 #include "query/triangle_overlap.h"
 
@@ -19,7 +18,6 @@ class TreeLayout {
 
   /// Copies the layout of a tree. Returns true if it did not change. O(nodes).
   template <class S> bool update(const AabbTree<S>& tree);
-
   const Node& node(int index) const { return at(nodes_, index); }
 
  private:
@@ -29,8 +27,7 @@ class TreeLayout {
 /// Two nodes, one of each tree (a, b).
 using NodeIndices = std::array<int, 2>;
 
-/// Two nodes whose children were compared with each other. The {first, count} child pairs are
-/// adjacent in a front.
+/// Nodes whose children were compared: pairs {first, count}, adjacent in a front.
 struct ParentPair {
   NodeIndices nodes;
   NodeIndices first_child;
@@ -39,9 +36,8 @@ struct ParentPair {
 
 /// Cut where the simultaneous traversal of two trees ended: node pairs with separated boxes, and
 /// pairs of leaves. Every pair of triangles is below exactly one of them ("bounding volume test
-/// tree", Li and Chen 1998; "front", Ehmann and Lin 2001). The traversal of the next frame can
-/// start here and skip the pairs above. Keep one front per pair of meshes, in the same order; see
-/// mesh_overlap().
+/// tree", Li and Chen 1998; "front", Ehmann and Lin 2001). The next frame's traversal can start
+/// here. Keep one front per pair of meshes, in the same order.
 ///
 /// A front is valid for any poses, and for any vertices as long as the trees are only refitted.
 /// begin() detects a rebuilt tree and resets the front.
@@ -50,8 +46,7 @@ class MeshFront {
   /// In depth-first order: all pairs below a common pair are adjacent.
   std::vector<NodeIndices> pairs;
 
-  /// Call this before each traversal: an invalid front is reset to the pair of the roots. Neither
-  /// tree may be empty.
+  /// Before each traversal: resets an invalid front to the pair of the roots. No tree may be empty.
   template <class S> void begin(const AabbTree<S>& a, const AabbTree<S>& b);
 
   /// The pair whose last children are these two nodes; none for the roots and other pairs.
@@ -64,8 +59,7 @@ class MeshFront {
   }
 
  private:
-  // Comparing a parent pair is wasted while its own boxes overlap, so each pair tries it only once
-  // in this many frames.
+  // Each pair tries its parents, wasted while their boxes overlap, once in this many frames.
   static constexpr int kTurns = 8;
 
   TreeLayout a_, b_;
@@ -89,7 +83,6 @@ struct MeshOverlapCounts {
 template <class S> struct MeshOverlap {
   std::vector<MeshIntersection<S>> intersections;  // by a, then by b
   MeshOverlapCounts counts;
-
   bool overlapping() const { return !intersections.empty(); }
 };
 
@@ -98,16 +91,14 @@ struct NodePairVisit {
   int a = 0;  // indices into the trees
   int b = 0;
   bool overlaps = false;  // only then the traversal continued below
-
   friend bool operator==(const NodePairVisit&, const NodePairVisit&) = default;
 };
 
 /// Finds every pair of triangles of two meshes that share a point.
 ///
 /// The vertices of b are first moved into a's frame and rounded (vertices_in). For these and a's
-/// own vertices the set of pairs and their kinds are exact. Boxes of b are recomputed around the
-/// moved vertices, so rounded or rotated boxes lose no pair. Segments are rounded as described at
-/// triangle_overlap.
+/// vertices the pairs and their kinds are exact. Boxes of b are recomputed around the moved
+/// vertices, so none is lost. Segments are rounded as described at triangle_overlap.
 ///
 /// `visits` receives the node pairs in the order of comparison; it may be null.
 ///

@@ -8,11 +8,10 @@ namespace contactscope {
 /// mesh_overlap() tests with those when the trees were new. Keep one instance per pair of meshes.
 ///
 /// Node pairs also increase when meshes approach, where a rebuild would not help. So their number
-/// is related to the pairs of triangles with overlapping boxes, which do not depend on the trees.
-/// Unchanged trees test node pairs for the descent plus a share for each triangle pair: for two
-/// spheres of 9,680 triangles, 1.6 per pair if 29,408 pairs meet, and 2.1 if 2,594 do. So if g
-/// times as many pairs meet as in the base, equally good trees test between min(1, g) and max(1, g)
-/// times as many node pairs.
+/// is related to the pairs of triangles with overlapping boxes, which do not depend on the trees:
+/// for two spheres of 9,680 triangles, 1.6 per pair if 29,408 pairs meet, and 2.1 if 2,594 do. If g
+/// times as many pairs meet as in the base, equally good trees test min(1, g) to max(1, g) times as
+/// many node pairs.
 ///
 /// The base is the first query after the last build, or a later one that is cheaper in both counts.
 /// If g leaves the range 1/2 to 2, the current query becomes the next base.
@@ -40,8 +39,7 @@ class MeshQueryCost {
     return nodes <= kWorstTreeCost * std::min(1.0, growth) ? Verdict::AsNew : Verdict::Unknown;
   }
 
-  /// How to update a tree after queries with this verdict. If Auto and the verdict is Unknown, the
-  /// surface areas of the tree decide.
+  /// How to update a tree next; Unknown leaves it to the tree's surface areas, if Auto.
   static TreeUpdate update_after(Verdict verdict, TreeUpdate how) {
     if (how != TreeUpdate::Auto || verdict == Verdict::Unknown) return how;
     return verdict == Verdict::Worse ? TreeUpdate::Rebuild : TreeUpdate::Refit;

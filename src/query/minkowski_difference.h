@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/pose.h"
 #include "query/gjk.h"
-#include "query/support_set.h"
 
 namespace contactscope {
 
@@ -16,13 +14,11 @@ template <class S> S power_of_two_up_to(S value) {
 /// A point of the Minkowski difference, as indices of the points that it is the difference of.
 struct IndexPair {
   int a, b;
-
   friend bool operator==(const IndexPair&, const IndexPair&) = default;
 };
 
-/// The Minkowski difference B - A, in A's frame, scaled by a power of two so that its points have
-/// order 1 and no power of a length leaves the range of S. The sets overlap if it contains the
-/// origin. Refers to both sets.
+/// The Minkowski difference B - A, in A's frame, scaled by a power of two to order 1, so that no
+/// power of a length leaves the range of S. It contains the origin in overlap. Refers to both sets.
 template <class S> class MinkowskiDifference {
  public:
   MinkowskiDifference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
@@ -90,9 +86,8 @@ template <class S> class MinkowskiDifference {
   S scale_ = 1, unit_ = 1, per_unit_ = 1;
 };
 
-/// Weighted mean of a simplex's points on one shape. Summed relative to the heaviest vertex, so
-/// that rounding of the weights multiplies differences of vertices, not their distance from the
-/// origin.
+/// Weighted mean of a simplex's points on one shape, relative to the heaviest vertex: rounding of
+/// the weights multiplies differences of vertices, not their distance from the origin.
 template <class S> Vec3<S> weighted(const GjkSimplex<S>& simplex, Vec3<S> GjkVertex<S>::*point) {
   std::size_t heaviest = 0;
   for (std::size_t i = 1; i < simplex.vertices.size(); ++i)

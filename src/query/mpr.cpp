@@ -60,9 +60,8 @@ template <class S> struct Portal {
   std::array<DifferencePoint<S>, 3> points;
 };
 
-/// Searches the first portal; returns nothing on success. Flat: the last measured direction is
-/// across the difference. Converged: the ray leaves through a vertex. OutOfIterations: no steps
-/// left.
+/// Searches the first portal; returns nothing on success. Flat: the last direction is across the
+/// difference. Converged: the ray leaves through a vertex. OutOfIterations: no steps left.
 template <class S>
 std::optional<PenetrationStatus> discover(Portal<S>& portal, BoundedDifference<S>& difference,
                                           int allowed, int& iterations) {
@@ -104,9 +103,8 @@ std::optional<PenetrationStatus> discover(Portal<S>& portal, BoundedDifference<S
 /// Snethen, "XenoCollide: Complex Collision Made Simple", Game Programming Gems 7, 2008.
 ///
 /// Deviations. Tests use a ray with a direction of its own; the original uses the side of the
-/// origin. Both are the same unless the centres coincide, where the original moves the inner point
-/// by a small constant. The depth is measured by a support point along the last portal's normal;
-/// the original only reports that the shapes touch.
+/// origin. Both are the same unless the centres coincide. The depth is measured by a support point
+/// along the last portal's normal; the original only reports that the shapes touch.
 ///
 /// Steps: 1. compute an inner point of the difference from the centres, and the ray from it through
 /// the origin; 2. find support points until the ray passes a triangle of three, the portal; 3. find

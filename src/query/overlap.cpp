@@ -11,16 +11,14 @@
 // is the gap along l times the length of l. So f(l) > 0 proves that the boxes are separated, for
 // any l: it need not be the correct axis. Rounding changes f(l), with l as computed, by at most 5.5
 // epsilon |l| D: 4u |t| |l| for t . l with its subtractions, 3u |l| for each a_k . l, 6u for the
-// sum. So f(l) > 8 epsilon |l| D guarantees promise 1. The point is that the bound shrinks with
-// |l|. The usual formulas take a_k . l from the entries of A^T B, whose error is epsilon even if l
-// itself is that short. Their safe bound is therefore epsilon D, which hides every gap up to
-// epsilon D / |l|.
+// sum. So f(l) > 8 epsilon |l| D guarantees promise 1. It shrinks with |l|. The usual formulas take
+// a_k . l from the entries of A^T B; their bound is epsilon D, which hides every gap up to epsilon
+// D / |l|.
 //
 // Promise 2 also needs the right direction of l. In a_i x b_j with nearly parallel edges the
 // product cancels. But a_i x b_j = (a_i - b_j) x (a_i + b_j) / 2, where each entry of both factors
-// is correct to u relatively. The factors are perpendicular, so their product does not cancel, and
-// the direction is correct to about 3 epsilon at any angle. If one factor is 0, the edges are
-// parallel, and the faces decide (below).
+// is correct to u relatively. They are perpendicular: nothing cancels, and the direction is correct
+// to about 3 epsilon. If one factor is 0, the edges are parallel, and the faces decide (below).
 //
 // Boxes at distance w have a gap of w / sqrt(3): the direction n between their closest points is a
 // sum of at most three of the axes with positive factors, all within an octant of A's or B's own
@@ -33,9 +31,8 @@
 // all faces overlap by more than s D, no such axis separates.
 //
 // This slow test runs for few pairs. Before it the usual formulas decide, with a bound of 128
-// epsilon D on either side: their error is 50 epsilon D for axes orthonormal to 8 epsilon, and the
-// rest covers the previous paragraph. They skip edges parallel to 16 epsilon. They never contradict
-// the slow test.
+// epsilon D on either side: their error is 50 epsilon D for axes orthonormal to 8 epsilon. They
+// skip edges parallel to 16 epsilon, and never contradict the slow test.
 
 namespace contactscope {
 namespace {
@@ -344,14 +341,12 @@ bool overlaps(const BoundingSphere<S>& a, const BoundingSphere<S>& b,
   return result;
 }
 
-template bool overlaps(const Aabb<float>&, const Aabb<float>&, const Comparison<float>&,
-                       OverlapRecord<float>*);
-template bool overlaps(const Aabb<double>&, const Aabb<double>&, const Comparison<double>&,
-                       OverlapRecord<double>*);
-template bool overlaps(const BoundingSphere<float>&, const BoundingSphere<float>&,
-                       const Comparison<float>&, OverlapRecord<float>*);
-template bool overlaps(const BoundingSphere<double>&, const BoundingSphere<double>&,
-                       const Comparison<double>&, OverlapRecord<double>*);
+template <class Bound, class S>
+using Overlaps = bool(const Bound&, const Bound&, const Comparison<S>&, OverlapRecord<S>*);
+template Overlaps<Aabb<float>, float> overlaps;
+template Overlaps<Aabb<double>, double> overlaps;
+template Overlaps<BoundingSphere<float>, float> overlaps;
+template Overlaps<BoundingSphere<double>, double> overlaps;
 
 template <class S>
 bool overlaps(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
@@ -359,11 +354,10 @@ bool overlaps(const Obb<S>& a, const Obb<S>& b, const Comparison<S>& comparison,
   if (record != nullptr) [[unlikely]] {
     record->axes.clear();
     if (all_finite(a) && all_finite(b)) {
-      if (test.axes == ObbAxes::Guarded) {
+      if (test.axes == ObbAxes::Guarded)
         record_guarded(a, b, comparison, *record);
-      } else {
+      else
         record_plain(a, b, comparison, test, *record);
-      }
     }
   }
   if (test.axes != ObbAxes::Guarded) return plain_overlap(a, b, comparison, test);

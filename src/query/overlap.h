@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/aabb.h"
 #include "geometry/obb.h"
 
 /// Overlap tests of bounding volumes, in one frame, metres. Each can record its axes.
@@ -16,9 +15,8 @@ template <class S> struct Comparison {
   static constexpr Comparison inclusive() { return {}; }
   /// Touching bounds do not overlap: every gap is less than 0.
   static constexpr Comparison exclusive() { return {false, 0}; }
-  /// No gap is larger than the tolerance. Bounds within this distance overlap; bounds farther than
-  /// sqrt(3) times it do not, since a corner may be this far out along two or three axes. For
-  /// spheres the distance itself is compared.
+  /// No gap is larger than the tolerance. Bounds farther than sqrt(3) times it do not overlap,
+  /// since a corner may be off along three axes. For spheres the distance is compared.
   static constexpr Comparison within(S tolerance) { return {true, tolerance}; }
 };
 
@@ -37,10 +35,8 @@ constexpr const char* to_string(ObbAxes axes) {
 /// Method for testing two oriented boxes.
 template <class S> struct ObbTest {
   ObbAxes axes = ObbAxes::Guarded;
-  /// Fifteen only: skip cross products up to this length, the sine of the angle between two edges;
-  /// 0 skips only null vectors.
+  /// Fifteen only: skip cross products up to this sine of the edges' angle; 0: only null vectors.
   S skip_up_to = 0;
-
   friend bool operator==(const ObbTest&, const ObbTest&) = default;
 };
 
@@ -73,32 +69,28 @@ template <class S> struct OverlapAxis {
   bool is_of_edges() const { return kind == OverlapAxisKind::Edges; }
 };
 
-/// Record of an overlap test: all axes, including those after the first that separates. The bounds
-/// overlap if no axis separates them.
+/// Record of an overlap test: all axes, including those after the first that separates.
 template <class S> struct OverlapRecord { std::vector<OverlapAxis<S>> axes; };
 
 // All tests: an empty bound, one with NaN, or an oriented box with an infinity overlaps nothing,
 // and its record has no axes. `record` may be null; it is cleared first and does not affect the
 // result. Swapping A and B does not change the result.
 
-/// Compares coordinates: exact, except for adding the tolerance. Without tolerance the same as
-/// overlaps(a, b) of aabb.h.
+/// Exact, except for adding the tolerance; without it the same as overlaps(a, b) of aabb.h.
 template <class S>
 bool overlaps(const Aabb<S>& a, const Aabb<S>& b, const Comparison<S>& comparison,
               OverlapRecord<S>* record = nullptr);
 
-// The tests below round. Their error is bounded by a few epsilon of the lengths added: the sizes of
-// both bounds and the distance between their centres, independent of the origin. Anything within
-// the error counts as touching. So inclusive tests never miss an overlap, and exclusive tests never
-// report separated bounds as overlapping.
+// The tests below round by a few epsilon of the lengths added: the sizes of both bounds and the
+// distance between their centres. Anything within that counts as touching. So inclusive tests never
+// miss an overlap, and exclusive tests never report separated bounds as overlapping.
 
 template <class S>
 bool overlaps(const BoundingSphere<S>& a, const BoundingSphere<S>& b,
               const Comparison<S>& comparison, OverlapRecord<S>* record = nullptr);
 
 /// The separating axis test for two oriented boxes: Gottschalk, Lin and Manocha 1996, "OBBTree".
-/// Boxes are separated exactly if one of fifteen axes has a gap. The largest gap is at least the
-/// distance over sqrt(3).
+/// Fifteen axes; the largest gap is at least the distance over sqrt(3).
 ///
 /// `test` selects the axes. The first two choices are what engines do:
 /// - Faces: boxes separated only by edges are reported as overlapping.

@@ -23,8 +23,7 @@ PenetrationResult<S> axis_result(S separation, const Vec3<S>& normal, const Vec3
           .iterations = 1};
 }
 
-/// Two crossing edges, A's from p to q and B's from r to s: the closest points of the edges are the
-/// deepest points of the shapes.
+/// Where edges cross, A's p q and B's r s, their closest points are the shapes' deepest.
 template <class S>
 PenetrationResult<S> edge_result(S separation, const Vec3<S>& normal, const Vec3<S>& p,
                                  const Vec3<S>& q, const Vec3<S>& r, const Vec3<S>& s) {
@@ -59,8 +58,7 @@ PenetrationResult<S> of_hulls(const Hull<S>& a, const Hull<S>& b, const Pose<S>&
   return axis_result(best.separation, normal, other.vertex(best.support), is_of_a);
 }
 
-/// The core is a point or a segment in the hull's frame. The hull takes the role of A in the
-/// result.
+/// The core, a point or a segment, is in the hull's frame. The hull is A in the result.
 template <class S>
 PenetrationResult<S> of_hull_and_segment(const Hull<S>& hull, const Vec3<S> (&ends)[2]) {
   const S scale = hull.centroid.norm() + hull.radius + std::max(ends[0].norm(), ends[1].norm());
@@ -68,10 +66,9 @@ PenetrationResult<S> of_hull_and_segment(const Hull<S>& hull, const Vec3<S> (&en
   const CapsuleSat<S> axes = capsule_sat(hull, ends, tie, tie);
   const Vec3<S> normal = axes.edge_wins() ? axes.edge_normal : at(hull.planes, axes.face).normal;
   if (axes.separation() > tie) return separated_along(normal);
-  if (axes.edge_wins()) {
+  if (axes.edge_wins())
     return edge_result(axes.separation(), normal, hull.origin(axes.edge), hull.target(axes.edge),
                        ends[0], ends[1]);
-  }
   const int lower = normal.dot(ends[1]) < normal.dot(ends[0]) ? 1 : 0;
   return axis_result(axes.separation(), normal, ends[lower], true);
 }
@@ -81,9 +78,8 @@ template <class S> bool is_finite(const SupportSet<S>& set) {
                      [](const Vec3<S>& point) { return point.allFinite(); });
 }
 
-/// The separating axis test, the exact reference for the other methods: sat() for two hulls,
-/// capsule_sat() for a hull and a point or segment. Two cores without volume have no faces and give
-/// Flat, with a normal perpendicular to both.
+/// The exact reference for the other methods: sat() for two hulls, capsule_sat() for a hull and a
+/// point or segment. Cores without volume give Flat, with a normal perpendicular to both.
 template <class S>
 PenetrationResult<S> sat_penetration(const SupportSet<S>& a, const SupportSet<S>& b,
                                      const Pose<S>& b_in_a) {
@@ -129,16 +125,10 @@ PenetrationResult<S> penetration(PenetrationMethod method, const SupportSet<S>& 
                                  const SupportSet<S>& b, const Pose<S>& b_in_a,
                                  const PenetrationOptions<S>& options, const GjkSimplex<S>* overlap,
                                  PenetrationSteps<S>* steps) {
-  switch (method) {
-    case PenetrationMethod::Epa:
-      return epa(a, b, b_in_a, options, overlap, steps);
-    case PenetrationMethod::Mpr:
-      return mpr(a, b, b_in_a, options, steps);
-    case PenetrationMethod::Sampling:
-      return sampling(a, b, b_in_a, options, steps);
-    case PenetrationMethod::Sat:
-      break;
-  }
+  using enum PenetrationMethod;
+  if (method == Epa) return epa(a, b, b_in_a, options, overlap, steps);
+  if (method == Mpr) return mpr(a, b, b_in_a, options, steps);
+  if (method == Sampling) return sampling(a, b, b_in_a, options, steps);
   return sat_penetration(a, b, b_in_a);
 }
 

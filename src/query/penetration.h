@@ -2,7 +2,6 @@
 
 #include "core/manifold.h"
 #include "query/gjk.h"
-#include "query/support_set.h"
 
 /// Penetration depth of two convex cores: length and direction of the shortest translation of B
 /// that separates them. Four methods, listed in Gregorius 2015, "Building Incremental Manifolds
@@ -11,8 +10,7 @@
 /// In terms of the Minkowski difference B - A: the cores overlap if it contains the origin, and the
 /// depth is the origin's distance from its surface. **Any** unit direction n gives an upper bound,
 /// max over A of n . a minus min over B of n . b, because moving B by that along n separates the
-/// cores. Every method's `depth` is such a value, measured with support points, so a suboptimal
-/// normal is still valid.
+/// cores. Every method measures its `depth` so, and a suboptimal normal is still valid.
 namespace contactscope {
 
 enum class PenetrationStatus {
@@ -32,8 +30,7 @@ constexpr bool has_depth(PenetrationStatus status) {
 }
 
 template <class S> struct PenetrationOptions {
-  /// Depths within this fraction of the pair's length scale (see gjk.h) count as equal. Values
-  /// below rounding are raised to it.
+  /// Depths within this fraction of the pair's length scale count as equal; at least rounding.
   S tolerance = 0;
   /// Maximum number of steps; 0, or more than the method's own limit: that limit.
   int max_iterations = 0;
@@ -79,13 +76,11 @@ template <class S>
 bool may_overlap(const GjkResult<S>& gjk, const SupportSet<S>& a, const SupportSet<S>& b,
                  const Pose<S>& b_in_a);
 
-/// Runs one of the methods. `overlap` is the simplex of a GJK run on the same sets after which they
-/// may_overlap(), or null; EPA starts from it, and otherwise runs GJK first. `steps` is a record or
-/// null; it does not change the result.
+/// Runs a method. `overlap`: the simplex of a GJK run on the same sets after which they
+/// may_overlap(), from which EPA starts, or null. `steps`: a record or null, without effect.
 ///
 /// Degenerate input: NaN or infinity gives NotFinite. Touching cores give depth 0 within rounding.
-/// Differences without volume give Flat: not a point in a face's plane, but two segments, for
-/// example.
+/// Differences without volume give Flat: two segments, for example.
 template <class S>
 PenetrationResult<S> penetration(PenetrationMethod method, const SupportSet<S>& a,
                                  const SupportSet<S>& b, const Pose<S>& b_in_a,

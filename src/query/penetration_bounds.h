@@ -8,13 +8,11 @@
 /// and their common parts. All of them use support points.
 namespace contactscope {
 
-/// Maximum iterations of EPA and MPR (for MPR including the search for the first portal). EPA's
-/// polytope then has at most 4 + kMaxEpaIterations vertices and never runs out of room: a closed
-/// surface of V vertices has 2V - 4 triangles.
+/// Maximum iterations of EPA and MPR (with the first portal). EPA's polytope then has at most 4 +
+/// kMaxEpaIterations vertices, and 2V - 4 triangles.
 inline constexpr int kMaxEpaIterations = 256;
 inline constexpr int kMaxMprIterations = 256;
-/// Limits of the number of sampling directions, and the maximum number of rounds of the search
-/// around the best direction.
+/// Limits of the number of sampling directions, and of rounds of the search around the best.
 inline constexpr int kMinSamples = 6;
 inline constexpr int kMaxSamples = 1 << 20;
 inline constexpr int kMaxSamplingRounds = 128;
@@ -29,10 +27,9 @@ PenetrationResult<S> epa(const SupportSet<S>& a, const SupportSet<S>& b, const P
 /// Minkowski portal refinement.
 ///
 /// **Known weakness**: the normal is that of the face where the ray from the centre of the
-/// difference through the origin leaves it. That is the face of least depth only by chance: for a
-/// plate off centre on another, the ray may leave through a side. The depth is correct along that
-/// normal, so it is never less than the least depth but can be many times larger; `study
-/// penetration` measures it. There is no lower bound.
+/// difference through the origin leaves it. For a plate off centre on another, the ray may leave
+/// through a side. The depth is correct along that normal, so it is never less than the least depth
+/// but can be many times larger; `study penetration` measures it. There is no lower bound.
 template <class S>
 PenetrationResult<S> mpr(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                          const PenetrationOptions<S>& options, PenetrationSteps<S>* steps);
@@ -52,10 +49,9 @@ PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, co
 /// Fibonacci sphere it occurs at the poles. The constant is measured; a test verifies it.
 template <class S> S sampling_angle(int count);
 
-/// Sequence of evenly distributed unit directions: the Fibonacci sphere (Gonzalez, "Measurement of
-/// Areas on a Sphere Using Fibonacci and Latitude-Longitude Lattices", 2010). Each is a little
-/// lower than the last and turned by the golden angle about z. Does not use a library's sine, whose
-/// last bit differs between processors.
+/// The Fibonacci sphere of evenly distributed unit directions (Gonzalez, "Measurement of Areas on a
+/// Sphere Using Fibonacci and Latitude-Longitude Lattices", 2010): each is a little lower than the
+/// last and turned by the golden angle about z. A library's sine would differ between processors.
 class SamplingDirections {
  public:
   explicit SamplingDirections(int count) : count_(count) {}
@@ -86,9 +82,8 @@ template <class S> struct WeightedPairs {
   }
 };
 
-/// The difference with the common state of all methods: support points and the best direction so
-/// far. `outward` directions are unit and point from the origin out of the difference, from B to A;
-/// the contact normal is their opposite.
+/// The difference with the state of all methods: support points and the best direction so far.
+/// `outward` directions are unit, out of the difference, from B to A, against the contact normal.
 template <class S> class BoundedDifference : public MinkowskiDifference<S> {
  public:
   BoundedDifference(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a)
@@ -107,7 +102,6 @@ template <class S> class BoundedDifference : public MinkowskiDifference<S> {
   S upper() const { return upper_; }
   const Vec3<S>& outward() const { return outward_; }
   bool is_separated() const { return upper_ < -rounding(); }
-
   DifferencePoint<S> point_of(const IndexPair& pair) const { return {this->point(pair), pair}; }
   DifferencePoint<S> support(const Vec3<S>& outward) {
     const DifferencePoint<S> found = point_of(this->support_against(-outward));

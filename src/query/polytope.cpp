@@ -58,10 +58,9 @@ template <class S> int Polytope<S>::add_face(int first, int second, int third) {
 }
 
 /// The distance is that of the triangle, not of its plane. They are equal if the closest point is
-/// inside, as in some face of a convex polytope. Elsewhere rounding of a needle's normal can bring
-/// its plane arbitrarily close to the origin, but not the triangle. Negative if the origin is
-/// beyond the plane: such a face comes first, and then a point is beyond it as well, or its plane
-/// separates the shapes.
+/// inside. Rounding of a needle's normal can bring its plane, but not the triangle, arbitrarily
+/// close to the origin. Negative if the origin is beyond the plane: such a face comes first, and
+/// then a point is beyond it as well, or its plane separates the shapes.
 template <class S> void Polytope<S>::measure(PolytopeFace<S>& added) const {
   const Vec3<S> corners[4] = {corner(added, 0).point, corner(added, 1).point,
                               corner(added, 2).point, corner(added, 0).point};
@@ -198,11 +197,10 @@ template <class S> bool Polytope<S>::expand(int seen, const DifferencePoint<S>& 
     const auto& corners = at(faces, edge.outer).vertices;
     const auto shared = std::ranges::find(corners, edge.to) - corners.begin();
     link(added, 0, edge.outer, static_cast<int>(shared));
-    if (previous >= 0) {
+    if (previous >= 0)
       link(previous, 1, added, 2);
-    } else {
+    else
       first_added = added;
-    }
     previous = added;
     from = edge.to;
   } while (from != first);

@@ -31,8 +31,7 @@ template <class S> struct Polytope {
   static constexpr int kMaxVertices = 4 + kMaxEpaIterations;
   static constexpr int kMaxFaces = 2 * kMaxVertices;
 
-  /// `tetrahedron` has four points that span a volume. Points within `rounding` of a plane are on
-  /// it.
+  /// `tetrahedron` spans a volume. Points within `rounding` of a plane are on it.
   Polytope(const StartSimplex<S>& tetrahedron, S rounding);
 
   /// Corner k, modulo 3, of a face.

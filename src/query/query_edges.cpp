@@ -62,10 +62,10 @@ template <class S> S support_separation(const HullPair<S>& pair, const Vec3<S>& 
 }
 
 /// Sign, +1 or -1, that orients cross = edge A x edge B from A to B, along the arc. The talk
-/// ("Normal Orientation") uses A's centre. We use the arc: the crossing x lies on it, so
-/// x . (first + second) > 0. For an arc of more than a quarter turn the sum cancels. But it is
-/// k (1 + first . second) (first . edge_b - second . edge_b) with k > 0, and the walk uses edges of
-/// B for which the last factor is positive.
+/// ("Normal Orientation") uses A's centre. Here the crossing x is on the arc: x . (first + second)
+/// > 0. Of arcs of more than a quarter turn the sum cancels. But it is k (1 + first . second)
+/// (first . edge_b - second . edge_b) with k > 0, and the walk uses edges of B with a positive last
+/// factor.
 template <class S> S orientation(const Arc<S>& arc, const Vec3<S>& cross) {
   const Vec3<S>&first = arc.first.direction, &second = arc.second.direction;
   const bool wide = first.dot(second) < S(0);
@@ -106,9 +106,8 @@ template <class S>
   return true;
 }
 
-/// Calls visit(arc, along_a, edge_b) for each edge of B whose arc crosses the given arc (or half
-/// arc) of A, unless no separation on it can exceed `to_beat`. Inlined, and the Arc is built only
-/// for a walk, because most are skipped.
+/// Calls visit(arc, along_a, edge_b) for each edge of B whose arc crosses the given (half) arc of
+/// A, unless no separation on it can exceed `to_beat`. Inlined; the Arc is built only for a walk.
 template <class S, class Visit>
 [[gnu::always_inline]] inline void walk(const HullPair<S>& pair, const Mat3<S>& a_to_b, int edge,
                                         const Vec3<S>& on_edge, const ArcEnd<S>& first,
@@ -117,8 +116,7 @@ template <class S, class Visit>
     return;
   const Arc<S> arc{edge, on_edge, first, second};
   const Vec3<S> along_a = pair.a.direction(edge);
-  const Vec3<S> first_in_b = a_to_b * first.direction;
-  const Vec3<S> second_in_b = a_to_b * second.direction;
+  const Vec3<S> first_in_b = a_to_b * first.direction, second_in_b = a_to_b * second.direction;
   walk_arc(pair.b.hull, first_in_b, second_in_b, first.support, second.support,
            [&](int edge_b) { visit(arc, along_a, edge_b); });
 }
@@ -128,8 +126,7 @@ template <class S, class Visit>
 template <class S, class Visit>
 void each_crossing(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, const S& to_beat,
                    Visit&& visit) {
-  const PlacedHull<S>& a = pair.a;
-  const PlacedHull<S>& b = pair.b;
+  const PlacedHull<S>&a = pair.a, &b = pair.b;
   const Mat3<S> a_to_b = b.rotation.transpose();
   const auto end_at = [&](int face) {
     return ArcEnd<S>{a.normals[face], faces_a.support(face), faces_a.separation(face)};
@@ -180,8 +177,7 @@ int edge_across(const PlacedHull<S>& hull, int vertex, const Vec3<S>& direction)
 /// Steps, for each edge of A:
 /// 1. its arc runs between the regions of two support vertices of B; if they are the same, the arc
 ///    crosses nothing;
-/// 2. skip arcs that cannot have a larger separation than the best so far;
-/// 3. walk the arc, and measure each crossing.
+/// 2. skip arcs that cannot beat the best so far; 3. walk the arc, and measure each crossing.
 template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
                          S tie) {
@@ -192,8 +188,7 @@ EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& face
 
 /// Rounding may raise a measured crossing above the true value of its arc: by the rounding of the
 /// sine times the measured length. So `floor` is lowered by that much. The error can exceed this
-/// only for nearly parallel edges, whose axes are measured again with support points. If such a
-/// true axis is above the faces, it is below the best crossing.
+/// only for nearly parallel edges, whose axes are measured again with support points.
 template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceBounds<S>& bounds_a, S floor, S tie) {
   const PlacedHull<S>& a = pair.a;

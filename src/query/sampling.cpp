@@ -35,14 +35,12 @@ Vec3d SamplingDirections::next() {
   return direction;
 }
 
-/// Gregorius 2015 and Catto 2007 name brute force as the last resort: it needs support points, but
-/// no topology that rounding could corrupt.
+/// The last resort of Gregorius 2015 and Catto 2007: no topology that rounding could corrupt.
 ///
 /// Steps: 1. measure the depth along many evenly spread directions; 2. try six directions around
-/// the best, initially at the angle between samples; 3. if one is better, it becomes the best;
-/// otherwise halve the angle and turn the six by 30 degrees, because a ridge between two faces may
-/// lie between all six directions; 4. repeat until the angle moves no point by more than the
-/// tolerance.
+/// the best, initially at the angle between samples; 3. take a better one; otherwise halve the
+/// angle and turn the six by 30 degrees, because a ridge may lie between them; 4. repeat until the
+/// angle moves no point by more than the tolerance.
 template <class S>
 PenetrationResult<S> sampling(const SupportSet<S>& a, const SupportSet<S>& b, const Pose<S>& b_in_a,
                               const PenetrationOptions<S>& options, PenetrationSteps<S>* steps) {

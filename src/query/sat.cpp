@@ -7,9 +7,8 @@
 namespace contactscope {
 namespace {
 
-/// Talk: "the minimizing feature defines the contact type". Order: faces of the preferred hull,
-/// faces of the other, edges; strictly by depth without a preference, otherwise within its
-/// tolerance.
+/// Talk: "the minimizing feature defines the contact type". Order: faces of the preferred hull, of
+/// the other, edges; strictly by depth without a preference, otherwise within its tolerance.
 template <class S> AxisKind choose(const SatResult<S>& queries, S tolerance, Owner preferred) {
   const S least = queries.separation(queries.deepest) - tolerance;
   const AxisKind first = preferred == Owner::A ? AxisKind::FaceA : AxisKind::FaceB;
@@ -81,8 +80,7 @@ template <class S> void look_at_face(const Hull<S>& a, int face, FaceBounds<S>& 
 /// Smaller hulls are measured completely in the time that the bounds take.
 constexpr int kFewestVertices = 16;
 
-/// sat() using bounds. Returns false, with an undefined `result`, if faces tie or if measuring all
-/// of them takes no longer.
+/// sat() using bounds. Returns false if faces tie, or if measuring all of them takes no longer.
 template <class S>
 bool sat_by_bounds(const HullPair<S>& pair, S margin, Preference preference, Owner preferred,
                    SatResult<S>& result) {
@@ -107,8 +105,7 @@ bool sat_by_bounds(const HullPair<S>& pair, S margin, Preference preference, Own
   return true;
 }
 
-/// Vertices are the outer loop, so that the inner loop runs over faces, which are independent of
-/// each other and fill vector registers.
+/// The inner loop runs over faces, which do not depend on each other and fill vector registers.
 template <class S>
 void measure(const PlacedHull<S>& reference, const PlacedHull<S>& other,
              FaceSeparations<S>& result) {

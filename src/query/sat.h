@@ -68,10 +68,9 @@ FaceQuery<S> query_faces(const PlacedHull<S>& reference, const PlacedHull<S>& ot
                          FaceSeparations<S>& all);
 
 /// The edge pair with the largest separation above `floor` among those that form a face of the
-/// Minkowski difference; none if there is no such pair. A pair must beat an earlier one by more
-/// than `tie` (metres, >= 0) to replace it. `faces_a` is the result of query_faces for A. Nearly
-/// parallel edges, whose cross product is unreliable, are measured with support points
-/// (tolerance.h).
+/// Minkowski difference, or none. A pair must beat an earlier one by more than `tie` (metres, >=
+/// 0). `faces_a` is the result of query_faces for A. Nearly parallel edges, whose cross product is
+/// unreliable, are measured with support points (tolerance.h).
 template <class S>
 EdgeQuery<S> query_edges(const HullPair<S>& pair, const FaceSeparations<S>& faces_a, S floor,
                          S tie);

@@ -112,9 +112,8 @@ template <class S> struct Foot {
   S weight_q = 0, weight_r = 0, weight_corner;
 };
 
-/// Weights below this size are computed again from the corner closest to the origin, where the
-/// other weights are exact relative to the distance from the origin. Any fraction well above
-/// rounding works.
+/// Smaller weights are computed again from the corner closest to the origin, where the others are
+/// exact relative to its distance. Any fraction well above rounding works.
 template <class S> constexpr S kDoubtfulWeight = S(1) / S(32);
 
 /// Returns false unless the foot of the perpendicular lies inside.

@@ -1,14 +1,12 @@
 #pragma once
 
 #include "core/vec3.h"
-#include "geometry/hull.h"
 #include "geometry/prefetch.h"
 
 namespace contactscope {
 
-/// The core of a convex shape as input of GJK: points whose convex hull it is, in the shape's own
-/// frame, metres. One point for a sphere's centre, two for a capsule's segment. Refers to its
-/// source, which must outlive it.
+/// The core of a convex shape for GJK: points whose convex hull it is, own frame, metres. One for a
+/// sphere's centre, two for a capsule's segment. Refers to its source.
 template <class S> struct SupportSet {
   const Vec3<S>* points;
   int count;            // > 0

@@ -7,15 +7,13 @@
 /// A test repeats one contact from 0.1 mm to 10 km.
 namespace contactscope {
 
-/// Separations closer than this are a geometric tie broken by rounding. A distance is a sum of four
-/// products of unit vectors and coordinates up to `scale`, after a rotation with as many products:
-/// about eight roundings of half an ulp each.
+/// Separations closer than this are a tie broken by rounding. A distance is a sum of four products
+/// of unit vectors and coordinates up to `scale`, after a rotation: eight roundings of half an ulp.
 template <class S> S tie_tolerance(S scale) {
   return S(4) * std::numeric_limits<S>::epsilon() * scale;
 }
 
-/// A point within this distance of a side plane is on it. Twice the tie tolerance, because both the
-/// point and the plane have been rounded.
+/// A point within this distance of a side plane is on it: twice the tie, as both have been rounded.
 template <class S> S clip_thickness(S scale) {
   return S(8) * std::numeric_limits<S>::epsilon() * scale;
 }
@@ -43,13 +41,11 @@ template <class S> S edge_handicap(S scale, Preference preference) {
 }
 
 /// Edge pairs with a smaller sine of their angle are skipped. Their face of the Minkowski
-/// difference is a sliver of width edge length times sine. Skipping it changes the depth by at most
-/// that: 16 roundings.
+/// difference is a sliver; skipping it changes the depth by at most 16 roundings.
 template <class S> constexpr S kParallelSine = S(16) * std::numeric_limits<S>::epsilon();
 
-/// Below this sine the direction of the cross product of two edges is uncertain by more than ten
-/// roundings. A distance between points far along the edges would be, too. Such an axis is measured
-/// again with support points before it can win.
+/// Below this sine the direction of a cross product of edges is uncertain by more than ten
+/// roundings, which count far along the edges. Support points measure such an axis again.
 template <class S> constexpr S kNoisySine = S(0.1);
 
 }  // namespace contactscope

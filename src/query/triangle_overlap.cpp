@@ -16,8 +16,7 @@ struct TriangleEdge {
 };
 TriangleEdge edge_of(const FlatTriangle& t, int k) { return {at(t, k), at(t, (k + 1) % 3)}; }
 
-/// The axis of the largest projected area of a triangle, and the sign of that area; sign 0 if the
-/// triangle has no area.
+/// The axis of a triangle's largest projected area, and its sign; 0 if it has no area.
 struct Projection {
   int axis;
   int sign;
@@ -74,14 +73,12 @@ bool contains(const FlatTriangle& t, const Projection& projection, const Vec3d& 
          on_one_line(t[2], t[0], point);
 }
 
-/// Intersection of the edge from p to q with a plane or line. `of_p` and `of_q` are the signed
-/// distances of p and q in any unit, not both zero and without a common sign. The result is on the
-/// edge, and the same if the ends are swapped.
+/// Intersection of the edge from p to q with a plane or line, at signed distances `of_p` and `of_q`
+/// in any unit, of opposite signs or one zero. On the edge, and the same if the ends are swapped.
 Vec3d crossing_point(const Vec3d& p, double of_p, const Vec3d& q, double of_q) {
   if (of_p == 0) return p;
   if (of_q == 0) return q;
-  // Always from the lexicographically smaller end, so that all triangles at an edge get the same
-  // point.
+  // From the lexicographically smaller end, so that all triangles at an edge get the same point.
   const bool swapped = std::lexicographical_compare(q.begin(), q.end(), p.begin(), p.end());
   const Vec3d& from = swapped ? q : p;
   const Vec3d& to = swapped ? p : q;
@@ -155,8 +152,7 @@ class SharedPoints {
   StaticVector<Vec3d, 6 + 9 + 6> points_;
 };
 
-/// The rare cases of triangle_overlap, equally exact: one triangle lies in the plane of the other,
-/// or has no area. Steps:
+/// The rare cases of triangle_overlap: one triangle is in the other's plane, or has no area. Steps:
 ///   1. both have an area: project along the axis of largest area. No edge has the whole other
 ///      triangle on its outer side or on itself: Coplanar. An edge has it strictly on its outer
 ///      side: None. Otherwise Touching, at corners of the two;
@@ -254,12 +250,10 @@ Lie lie(const Triangle<double>& t, const Triangle<double>& of) {
     signs[k] = (filtered.value > filtered.error) - (filtered.value < -filtered.error);
     certain &= signs[k] != 0;
   }
-  if (!certain) {
-    for (std::size_t k = 0; k < 3; ++k) {
+  if (!certain)
+    for (std::size_t k = 0; k < 3; ++k)
       if (signs[k] == 0)
         signs[k] = predicates::sign_of(predicates::exact_orient3d(of[0], of[1], of[2], t[k]));
-    }
-  }
   return kLies[static_cast<std::size_t>(code_of(signs[0], signs[1], signs[2]))];
 }
 
@@ -281,8 +275,7 @@ struct Fan {
         r(&t[static_cast<std::size_t>(turned ? (lone + 1) % 3 : (lone + 2) % 3)]) {}
 };
 
-/// 1 if the end of the edge from a.p comes after that of the edge from b.p along the line, -1 if
-/// before, 0 if they coincide.
+/// The order along the line of the ends of the edges from a.p and b.p: 1, -1, or 0.
 int order(const Vec3d& p_a, const Vec3d& to_a, const Vec3d& p_b, const Vec3d& to_b) {
   return orient3d(p_a, to_a, p_b, to_b);
 }
@@ -301,13 +294,11 @@ TriangleOverlap<double> overlap(const Triangle<double>& a, const Triangle<double
   if (of_a.side == Side::Separation) return {};
   if (of_a.side == Side::Within || of_b.side == Side::Within)
     return flat_triangle_overlap(a, b, kWantsSegment);
-
   const Fan fan_a(a, of_a.lone, !of_b.lone_above), fan_b(b, of_b.lone, !of_a.lone_above);
   const int first = order(*fan_a.p, *fan_a.q, *fan_b.p, *fan_b.q);
   if (first > 0) return {};
   const int last = order(*fan_a.p, *fan_a.r, *fan_b.p, *fan_b.r);
   if (last < 0) return {};
-
   TriangleOverlap<double> result;
   const bool both_across = of_a.side == Side::Across && of_b.side == Side::Across;
   result.kind = both_across && first < 0 && last > 0 ? Proper : Touching;

@@ -4,8 +4,7 @@
 
 namespace contactscope {
 
-/// Three corners in one frame, metres. The front is the side from which they run counter-clockwise;
-/// overlap does not depend on it.
+/// Three corners in one frame, metres; counter-clockwise from the front, which is ignored here.
 template <class S> using Triangle = std::array<Vec3<S>, 3>;
 
 /// Common points of two closed triangles. The interior of a triangle excludes its three edges, in
@@ -40,8 +39,7 @@ template <class S> struct TriangleOverlap {
 ///   2. all in the plane: coplanar, or one has no area;
 ///   3. each triangle cuts the line of both planes in an interval that ends on the two edges of its
 ///      lone corner. Two predicates order the ends.
-/// Deviations: we distinguish touching from overlap; both are an intersection there. Two more
-/// predicates choose the ends of the segment.
+/// Deviations: touching is not overlap. Two more predicates choose the ends of the segment.
 template <class S> TriangleOverlap<S> triangle_overlap(const Triangle<S>& a, const Triangle<S>& b);
 
 /// The same without a segment.

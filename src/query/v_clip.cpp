@@ -27,8 +27,7 @@ template <class S> HullFeature origin_of(const Hull<S>& hull, int half_edge) {
   return {FeatureKind::Vertex, at(hull.half_edges, half_edge).origin};
 }
 
-/// The part of a segment that is on the inner side of some planes, and the neighbours behind the
-/// planes that end it.
+/// The part of a segment inside some planes, and the neighbours behind the planes that end it.
 template <class S> struct ClippedEdge {
   S low = 0, high = 1;  // parameters; reversed if no part is left
   HullFeature neighbor_low, neighbor_high;
@@ -123,8 +122,7 @@ Verdict clip_to_vertex(const View<S>& view, int other_edge, HullFeature& vertex)
   });
 }
 
-/// An edge of the other hull against the region of an edge: first the planes at its vertices, then
-/// those of its faces.
+/// An edge of the other hull against an edge's region: planes at its vertices, then of its faces.
 template <class S>
 Verdict clip_to_edge_region(const View<S>& view, int other_edge, HullFeature& edge) {
   const Hull<S>& hull = view.own;

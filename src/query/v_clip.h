@@ -10,7 +10,6 @@ namespace contactscope {
 /// A feature of each hull.
 struct ComparedFeatures {
   HullFeature a, b;
-
   bool operator==(const ComparedFeatures&) const = default;
 };
 

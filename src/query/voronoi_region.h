@@ -24,15 +24,13 @@ template <class S> int outside_side(const Hull<S>& hull, int face, const Vec3<S>
   return best;
 }
 
-/// The edge (as a half-edge) or vertex of a hull that is closest to a point outside; none if two
-/// features are equally close within rounding, or if the point is over a face. `half_edge` is the
-/// start: an edge of a face that the point is not over. Hull's frame, metres; `scale` is an upper
-/// bound of all coordinates.
+/// The edge (as a half-edge) or vertex of a hull closest to a point outside; none if two are
+/// equally close within rounding, or if the point is over a face. `half_edge`: where to start, of a
+/// face that the point is not over. Hull's frame, metres; `scale` bounds all coordinates.
 ///
-/// Lin and Canny, "A Fast Algorithm for Incremental Distance Calculation", 1991. The space outside
-/// a convex body is divided into Voronoi regions: the points closest to one feature. They are
-/// bounded by planes. A few signs show that a point is inside a region, and a wrong sign shows
-/// where to go next.
+/// Lin and Canny, "A Fast Algorithm for Incremental Distance Calculation", 1991. Planes bound the
+/// Voronoi regions outside a convex body: the points closest to one feature. A few signs show that
+/// a point is inside one, and a wrong sign shows where to go next.
 ///
 ///      over f  |  region of e     The region of an edge e is between the side planes of its faces
 ///              |       .          f and g, and between the planes through its vertices that are

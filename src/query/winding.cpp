@@ -6,8 +6,7 @@
 namespace contactscope {
 namespace {
 
-/// Side of the directed edge a, b on which a point is in the x-y plane, after moving it by (e,
-/// e^2). 0 only for an edge along z.
+/// Side of the edge a, b on which a point moved by (e, e^2) is, in x-y; 0 for an edge along z.
 int side_of_edge(const Vec3d& a, const Vec3d& b, const Vec3d& point) {
   const int side = orient2d(a, b, point, 2);
   if (side != 0) return side;
@@ -96,10 +95,9 @@ template <class S> Winding winding_number(const Mesh<S>& mesh, const Vec3<S>& po
 
 template <class S> std::vector<MeshEdge> open_edges(const Mesh<S>& mesh) {
   std::vector<MeshEdge> open;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
+  for (int t = 0; t < mesh.triangle_count(); ++t)
     for (int k = 0; k < 3; ++k)
       if (mesh.neighbour(t, k) < 0) open.push_back({t, k});
-  }
   return open;
 }
 
@@ -110,10 +108,9 @@ Containment mesh_containment(const Mesh<S>& a, const Mesh<S>& b, const Pose<S>& 
   const std::vector<Vec3<S>> vertices_b = vertices_in(b, b_in_a);
   for (const int vertex : vertex_of_each_part(b))
     if (winding_number(a, at(vertices_b, vertex)).number != 0) return Containment::BInA;
-  for (const int vertex : vertex_of_each_part(a)) {
+  for (const int vertex : vertex_of_each_part(a))
     if (winding_around(vertices_b, b.triangles, at(a.vertices, vertex)).number != 0)
       return Containment::AInB;
-  }
   return Containment::Separation;
 }
 

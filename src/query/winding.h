@@ -16,18 +16,14 @@ struct Winding {
 
 /// Exact winding number of a mesh around a point (mesh's frame): of the triangles crossed by a ray
 /// along +z, the number that it leaves through their front minus the number that it enters. The
-/// signs of orient2d and orient3d decide. If the ray hits an edge or a vertex, the point is moved
-/// by (e, e^2, 0) with an infinitesimal e, which decides for each adjacent triangle if it is
-/// crossed.
+/// point is moved by (e, e^2, 0) with an infinitesimal e, so the ray hits no edge or vertex.
 ///
-/// Perturbation: Edelsbrunner and Muecke 1990, "Simulation of Simplicity". Visits the triangles
-/// whose boxes are above the point.
+/// Perturbation: Edelsbrunner and Muecke 1990, "Simulation of Simplicity".
 template <class S> Winding winding_number(const Mesh<S>& mesh, const Vec3<S>& point);
 
 struct MeshEdge {
   int triangle = -1;
   int edge = -1;
-
   friend bool operator==(const MeshEdge&, const MeshEdge&) = default;
 };
 

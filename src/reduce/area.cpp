@@ -13,8 +13,7 @@ enum class OnALine {
   KeepFirst,      // together with both extremes
 };
 
-/// All of "Contact Point Reduction" after the first point, whose choice is already recorded. One
-/// point if all coincide.
+/// All of "Contact Point Reduction" after the first point. One point if all coincide.
 template <Added added, class S>
 KeptIndices grow_from(const Candidates<S>& points, int first, OnALine on_a_line,
                       const ReduceOptions& options) {
@@ -66,12 +65,11 @@ constexpr auto reduce_from_support = []<class S>(const Candidates<S>& points,
   return grow_from<added>(points, support, OnALine::ExchangeFirst, options);
 };
 
-/// `area` starting with the deepest point, which is therefore always kept. Gregorius 2015, "Contact
-/// Point Reduction: 1st Point": with continuous collision "we want to start with the deepest point
-/// and guarantee it is in our reduced contact set". Of points on one line it keeps the deepest and
-/// the two extremes. Deviation: if several points are equally deep within rounding, the steps start
-/// from each and the largest area wins; ties go to the previous frame's choice, then to the lowest
-/// id.
+/// `area` starting with the deepest point. Gregorius 2015, "Contact Point Reduction: 1st Point":
+/// with continuous collision "we want to start with the deepest point and guarantee it is in our
+/// reduced contact set". Of points on one line it keeps the deepest and the two extremes.
+/// Deviation: of several points equally deep within rounding, the one with the largest area starts;
+/// ties go to the previous frame's choice, then to the lowest id.
 constexpr auto reduce_by_area_from_deepest = []<class S>(const Candidates<S>& points,
                                                          const ReduceOptions& options) {
   int first = points.deepest();
@@ -124,11 +122,10 @@ template <class S> std::array<Vec3<S>, 4> directions_in_plane(const Vec3<S>& nor
 }
 
 /// The alternative of Gregorius 2015, "Contact Point Reduction: AABB (1)" to "(3)": the extreme
-/// points along two axes in the contact plane. The axes follow the world's, so the choice changes
-/// when the same patch turns: a diamond on its corner loses two of four points when its long
-/// diagonal is at 45 degrees to them. Steps: an orthonormal basis (u, v) of the plane from the
-/// world axis least aligned with the normal; lowest and highest along u, then along v. Points that
-/// are extreme along both count once.
+/// points along two axes in the contact plane. The axes follow the world's: a diamond on its corner
+/// loses two of four points when its long diagonal is at 45 degrees to them. Steps: an orthonormal
+/// basis (u, v) of the plane from the world axis least aligned with the normal; lowest and highest
+/// along u, then along v, each once.
 constexpr auto reduce_to_extremes = []<class S>(const Candidates<S>& points,
                                                 const ReduceOptions& options) {
   const std::array<Vec3<S>, 4> directions = directions_in_plane(points.normal);

@@ -51,11 +51,10 @@ void Choices::outside(std::span<const int> ring, int first, int chosen, bool by_
       const double distance = 2 * area / (points[b] - points[a]).norm();
       all.push_back({q, {{a, b}}, by_distance ? distance : area});
     }
-    if (q == chosen) {
+    if (q == chosen)
       choice.measures.insert(choice.measures.end(), all.begin(), all.end());
-    } else {
+    else
       choice.measures.push_back(*std::ranges::min_element(all, {}, &trace::Measure::value));
-    }
   }
 }
 

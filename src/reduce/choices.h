@@ -19,8 +19,7 @@ class Choices {
   /// The farthest point along a unit direction.
   void support(const Vec3d& direction);
   void deepest();
-  /// The equally deep point, of `ties`, from which the steps keep the largest area; `areas` in
-  /// square metres.
+  /// The one of equally deep points, `ties`, with the largest area; `areas` in square metres.
   void equally_deep(std::span<const int> ties, std::span<const double> areas);
   /// The farthest point from a given one.
   void farthest(int from);

@@ -67,8 +67,7 @@ Reference<S> find_reference(const Candidates<S>& points, Patch<S>& patch,
 /// Requirements for a ring of corners.
 template <class S> struct CoherentWish {
   StaticVector<bool, kMaxManifoldPoints> is_old, is_deep;  // by corner
-  // A deep point inside the patch that is kept in addition to the ring; the hull includes it.
-  // Without it the ring must have a deep corner.
+  // A deep point inside the patch, kept in addition to the ring; else a corner must be deep.
   std::optional<Vec2<S>> inner;
   S least_doubled_area;
   int most;  // corners, 2 to kMaxCoherentCorners
@@ -79,8 +78,7 @@ template <class S> struct CoherentRing {
   CornerRing<S> ring;  // empty if no ring with an old corner meets the requirements
 };
 
-/// The best chain from the first corner to another with a given number of corners and of old
-/// corners, with or without a deep one.
+/// The best chain from the first corner to another, by numbers of corners, old ones and deep ones.
 template <class S> struct Chain {
   S doubled_area = -std::numeric_limits<S>::infinity();
   int before = -1;  // the chain without the last corner
@@ -152,8 +150,7 @@ CoherentRing<S> most_coherent_ring(const Patch<S>& patch, const CoherentWish<S>&
   return best;
 }
 
-/// The ring that keeps the most old points, of corners alone or with the reference's additional
-/// point.
+/// The ring that keeps the most old points, with or without the reference's additional point.
 template <class S>
 KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
                           const Reference<S>& reference, const KeptIndices& old, int most) {
@@ -201,13 +198,12 @@ KeptIndices most_coherent(const Candidates<S>& points, const Patch<S>& patch,
 /// For one or two points, and for points on one line, the distance of the extremes replaces area.
 ///
 /// Hysteresis as between the axes of the separating axis test (Catto 2007, "Feature Flip-Flop"),
-/// for the choice of points; no engine that we know of does this. Steps: 1. the points with the
-/// previous frame's ids; 2. the reference: the largest choice that is deep enough; 3. the old
-/// points, in their order, if all exist and are large and deep enough; 4. otherwise a new choice of
-/// the patch's corners within half of the tolerance and half of the slack, so that noise below that
-/// changes nothing: the most kept ids, then the largest area; old points first, then the new ones
-/// around the patch. For max_points above eight, on a line, or if no id recurs, it is the reference
-/// itself.
+/// for points; no engine that we know of does this. Steps: 1. the points with the previous frame's
+/// ids; 2. the reference: the largest choice that is deep enough; 3. the old points, in their
+/// order, if all exist and are large and deep enough; 4. otherwise a new choice of corners within
+/// half of the tolerance and of the slack, so that noise changes nothing: the most kept ids, then
+/// the largest area; old points first, then the new ones around the patch. For max_points above
+/// eight, on a line, or if no id recurs, it is the reference itself.
 constexpr auto reduce_coherently = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   const int most = options.max_points;

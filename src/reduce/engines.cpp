@@ -45,12 +45,10 @@ constexpr auto reduce_like_box3d_mesh = []<class S>(const Candidates<S>& points,
   return grow_to_four(points, a, b, S(1), options);
 };
 
-/// Like Jolt's pruning of contact points. Steps: the point with the largest distance from the
-/// centre times depth; the point with the largest distance from that one times depth; the farthest
-/// on either side of the line through both. Both factors have a lower bound. At most four points.
-/// Deviations: the centre is that of the points, because a reducer has no bodies; factors are not
-/// squared, which chooses the same without underflow; the bound, 1 mm in Jolt, is a thousandth of
-/// the patch.
+/// Like Jolt's pruning of contact points. Steps: the point of the largest distance times depth from
+/// the centre; then from that one; the farthest on either side of the line through both. Both
+/// factors have a lower bound. At most four points. Deviations: the centre is that of the points;
+/// factors are not squared; the bound, 1 mm in Jolt, is a thousandth of the patch.
 constexpr auto reduce_like_jolt = []<class S>(const Candidates<S>& points,
                                               const ReduceOptions& options) {
   const Vec3<S> middle = points.centre();
@@ -72,8 +70,7 @@ constexpr auto reduce_like_jolt = []<class S>(const Candidates<S>& points,
 
 constexpr int kPlaces = 4;
 
-/// Four times the squared area of the quadrilateral a b c d in any order: the two segments that
-/// cross span the most.
+/// Four times the squared area of the quadrilateral a b c d in any order of its corners.
 template <class S>
 S squared_area(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d) {
   return std::max({(a - b).cross(c - d).squaredNorm(), (a - c).cross(b - d).squaredNorm(),
@@ -118,8 +115,7 @@ template <class S> struct Corner {
 
 template <class S> using Corners = StaticVector<Corner<S>, 2 * kMaxManifoldPoints>;
 
-/// The corners of the points' convex hull, projected into their plane, counter-clockwise, without
-/// points on edges.
+/// The corners of the points' convex hull in their plane, counter-clockwise, none on edges.
 template <class S>
 Corners<S> convex_corners(const Candidates<S>& points, const PlaneFrame<S>& plane) {
   Corners<S> sorted;
@@ -154,8 +150,7 @@ template <class S> Vec3<S> centroid(const Candidates<S>& points) {
 
 /// Like ODE's culling of the contacts of two boxes. Steps: angles of all points around the area's
 /// centroid, relative to the deepest; the deepest, which is therefore always kept; for 90, 180 and
-/// 270 degrees the nearest remaining point by angle. Four points. Deviation: the area is the convex
-/// hull's, so the order of the points does not matter.
+/// 270 degrees the nearest remaining point by angle. Deviation: the area is the convex hull's.
 constexpr auto reduce_like_ode = []<class S>(const Candidates<S>& points,
                                              const ReduceOptions& options) {
   constexpr S kTurn = S(2) * std::numbers::pi_v<S>;
@@ -243,9 +238,8 @@ template <class S> std::array<int, 2> diameter(const Corners<S>& hull) {
   return best;
 }
 
-/// Like Newton's pruning of contacts. Steps: the convex hull of the points in the plane; its
-/// diameter by rotating calipers; the farthest points on either side of it. At most four points.
-/// Deviation: three points if a side is empty.
+/// Like Newton's pruning of contacts: the convex hull of the points in the plane; its diameter by
+/// rotating calipers; the farthest points on either side of it. Three if a side is empty.
 constexpr auto reduce_like_newton = []<class S>(const Candidates<S>& points,
                                                 const ReduceOptions& options) {
   const PlaneFrame<S> plane(points[0], points.normal);
@@ -255,9 +249,8 @@ constexpr auto reduce_like_newton = []<class S>(const Candidates<S>& points,
 
 /// Like MJX's reduction of a clip polygon. Steps: the first given point; the farthest from it; the
 /// farthest from the line through both, on either side; the farthest from the triangle's other two
-/// edges, on either side of them, by area. A corner of the triangle may win, which wastes the
-/// fourth choice and leaves three points. At most four points. Deviation: that corner is not
-/// reported twice.
+/// edges, on either side of them, by area. A corner of the triangle may win, which leaves three
+/// points. Deviation: it is not reported twice.
 constexpr auto reduce_like_mjx = []<class S>(const Candidates<S>& points,
                                              const ReduceOptions& options) {
   const int a = 0;
@@ -277,16 +270,14 @@ constexpr auto reduce_like_mjx = []<class S>(const Candidates<S>& points,
   return steps::first_of(choices, options);
 };
 
-/// The first max_points points in the order of clipping. No source: the behaviour of a fixed-size
-/// buffer.
+/// The first max_points points in the order of clipping: a fixed-size buffer. No source.
 constexpr auto reduce_to_first = []<class S>(const Candidates<S>& /*points*/,
                                              const ReduceOptions& options) {
   return steps::numbers_up_to(options.max_points);
 };
 
-/// The deepest max_points points, deepest first, equally deep ones by index. No source: the obvious
-/// choice, and a bad one. Deep points are next to each other, and the manifold jumps if two points
-/// exchange their depths.
+/// The deepest max_points points, deepest first, then by index. No source: the obvious choice, and
+/// a bad one. Deep points are next to each other, and the manifold jumps if depths change places.
 constexpr auto reduce_to_deepest = []<class S>(const Candidates<S>& points,
                                                const ReduceOptions& options) {
   KeptIndices order = steps::numbers_up_to(points.count());
@@ -297,8 +288,7 @@ constexpr auto reduce_to_deepest = []<class S>(const Candidates<S>& points,
   return steps::first_of(order, options);
 };
 
-/// Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators": works with any
-/// seed, including 0.
+/// Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators": any seed works.
 std::uint64_t split_mix(std::uint64_t& state) {
   state += 0x9e3779b97f4a7c15;
   std::uint64_t mixed = state;

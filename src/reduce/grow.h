@@ -1,7 +1,6 @@
 #pragma once
 
 #include "reduce/choices.h"
-#include "reduce/steps.h"
 
 namespace contactscope::steps {
 
@@ -47,8 +46,7 @@ Addition largest_addition(const Candidates<S>& points, const KeptIndices& ring, 
 template <Added added, class S>
 bool grow(const Candidates<S>& points, KeptIndices& kept, const ReduceOptions& options,
           S handicap = S(1)) {
-  const int first = kept[0];
-  const int second = kept[1];
+  const int first = kept[0], second = kept[1];
   const S negligible = points.negligible_area(first, second);
   const int third = points.highest(
       [&](int q) { return std::abs(points.doubled_area(q, first, second)); }, negligible, handicap);

@@ -62,9 +62,8 @@ template <class S> CornerRing<S> every_corner(const Patch<S>& patch) {
   return ring;
 }
 
-/// The largest polygon of at most `most` corners, for any patch and `most` >= 2. With a point
-/// `inner` of the patch: the corners whose convex hull together with it has the largest area, in
-/// doubled_area.
+/// The largest polygon of at most `most` >= 2 corners. With a point `inner` of the patch: the
+/// corners whose convex hull together with it has the largest area, in doubled_area.
 ///
 /// The area of a polygon is the sum of the triangles that its edges make with one fixed point, and
 /// the best polygon has only corners of the convex hull. So this is a longest path around the hull,
@@ -82,8 +81,7 @@ CornerRing<S> best_ring(const Patch<S>& patch, int most, const Vec2<S>* inner = 
   return best;
 }
 
-/// The largest polygon that contains corner `through`: the same with a single first corner. O(most
-/// n^2).
+/// The largest polygon that contains corner `through`. O(most n^2).
 template <class S> CornerRing<S> best_ring_through(const Patch<S>& patch, int through, int most) {
   if (patch.count <= most) return every_corner(patch);
   if (most == 4) return best_quadrilateral_through(patch, through);
@@ -103,8 +101,7 @@ void append(KeptIndices& kept, const Patch<S>& patch, const CornerRing<S>& ring,
     kept.push_back(patch.point[at(ring.corners, (begin + i * step) % size)]);
 }
 
-/// Position of the deepest point in a ring: the earliest of those whose separations differ by no
-/// more than `depth_tie`.
+/// Position of the deepest point in a ring, up to `depth_tie` the earliest.
 template <class S> int deepest_of(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
   S least = std::numeric_limits<S>::infinity();
   for (const int corner : ring.corners) least = std::min(least, patch.separation[corner]);
@@ -118,8 +115,7 @@ template <class S> int deepest_of(const Patch<S>& patch, const CornerRing<S>& ri
   return std::max(best, 0);
 }
 
-/// The points of a ring of four, starting with the deepest, as by append() and deepest_of(), but
-/// without unpredictable branches.
+/// As append() and deepest_of() for a ring of four, without unpredictable branches.
 template <class S>
 KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring, S depth_tie) {
   using lanes::Pack;
@@ -127,10 +123,9 @@ KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring, S depth_
   const auto point_at = [&](int place) { return patch.point[at(ring.corners, place)]; };
   const int four[4] = {point_at(0), point_at(1), point_at(2), point_at(3)};
   Pack<S> depths[4 / kLanes];
-  for (int i = 0; i < 4; i += kLanes) {
+  for (int i = 0; i < 4; i += kLanes)
     depths[i / kLanes] =
         lanes::each<S>([&](int lane) { return patch.separation[at(ring.corners, i + lane)]; });
-  }
   Pack<S> deepest = depths[0];
   for (const Pack<S>& depth : depths) deepest = lanes::smaller(deepest, depth);
   deepest = lanes::smallest<S>(deepest);
@@ -139,7 +134,6 @@ KeptIndices kept_four(const Patch<S>& patch, const CornerRing<S>& ring, S depth_
     equal |= lanes::bits<S>(depths[i / kLanes] <= deepest + depth_tie) << i;
   int begin = std::countr_zero(equal);
   if ((equal & (equal - 1)) != 0) begin = deepest_of(patch, ring, depth_tie);
-
   const int step = 1 - 2 * static_cast<int>(patch.is_mirrored());
   KeptIndices kept;
   for (int i = 0; i < 4; ++i) kept.push_back(four[(begin + i * step) & 3]);
@@ -254,11 +248,9 @@ namespace {
 /// The max_points points whose convex hull, seen along the normal, has the largest area: exact up
 /// to rounding, in O(n^2) for four points. Among choices whose areas differ by less than the
 /// rounding of S (in float some 1e-6 of the area) the previous frame's is kept. Otherwise the first
-/// by ids wins (largest_ring()), so noise that changes areas by no more changes nothing. For two
-/// points: the farthest pair. For one: a support point in a fixed direction, which is least likely
-/// to flip with small changes of the patch. Omits points that would add no area: keeps all corners
-/// of the hull if there are at most max_points, the two extremes of points on one line, one of
-/// coincident ones.
+/// by ids wins (largest_ring()), so noise changes nothing. For two points: the farthest pair. For
+/// one: a support point in a fixed direction, which is least likely to flip with small changes of
+/// the patch. Omits points that would add no area: of a line all but its extremes.
 ///
 /// Counter-clockwise seen against the normal, beginning with the deepest kept point (the earliest
 /// among equals). Separations are not used otherwise.
@@ -287,9 +279,8 @@ constexpr auto reduce_to_optimal = []<class S>(const Candidates<S>& points,
 /// be inside the hull, even of the kept points. For two points: the deepest and the farthest from
 /// it. For points on one line: the two extremes and the deepest, if it is neither.
 ///
-/// The deepest comes first, the earliest among equals. If it is a corner of the patch, the others
-/// follow counter-clockwise seen against the normal; if not, they follow counter-clockwise from the
-/// next deepest.
+/// The deepest comes first, the earliest among equals; the others follow counter-clockwise seen
+/// against the normal, from it, or if it is no corner from the next deepest.
 ///
 /// As reduce_to_optimal() with one given point. Gregorius 2015 also begins with the deepest and
 /// then takes the farthest; this chooses the others at once (largest_with()). Several deepest

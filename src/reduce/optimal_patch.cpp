@@ -44,10 +44,9 @@ template <class S> Positions<S> read(const ContactPoint<S>* const (&points)[Patc
   } else {
     // The same on both halves of a register: points i and i + 4 share one.
     Pack<S> two[4];
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
       two[i] = __builtin_shufflevector(lanes::load(*points[i], 0), lanes::load(*points[i + 4], 0),
                                        0, 1, 2, 3, 4, 5, 6, 7);
-    }
     const Pack<S> xy01 = __builtin_shufflevector(two[0], two[1], 0, 8, 1, 9, 4, 12, 5, 13);
     const Pack<S> xy23 = __builtin_shufflevector(two[2], two[3], 0, 8, 1, 9, 4, 12, 5, 13);
     const Pack<S> z01 = __builtin_shufflevector(two[0], two[1], 2, 10, 3, 11, 6, 14, 7, 15);
@@ -61,8 +60,7 @@ template <class S> Positions<S> read(const ContactPoint<S>* const (&points)[Patc
 
 }  // namespace
 
-/// The basis of the plane after Duff et al. 2017, "Building an Orthonormal Basis, Revisited": no
-/// square root and no branches.
+/// The basis after Duff et al. 2017, "Building an Orthonormal Basis, Revisited": no branches.
 template <class S>
 Patch<S>::Patch(const Candidates<S>& points) : origin_(points[0]), count(points.count()) {
   const Vec3<S>& normal = points.normal;

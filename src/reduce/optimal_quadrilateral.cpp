@@ -36,8 +36,7 @@ int next_round(const Patch<S>& patch, const S* values, int after, const Holds& h
   return after;
 }
 
-/// The diagonal between two corners and the farthest corners on both sides of it, among equals the
-/// first in order from `from`.
+/// The diagonal between two corners and the first farthest corners on both sides, from `from` on.
 template <class S>
 CornerRing<S> ring_across(const Patch<S>& patch, int from, int to, S doubled_area) {
   constexpr int kLanes = Patch<S>::kLanes;
@@ -91,8 +90,7 @@ inline void areas_of_eight(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight
   }
 }
 
-/// The area of corners i to i + 3 for each corner i of eight, one lane each: cross product of their
-/// diagonals.
+/// The area of corners i to i + 3 for each i of eight, a lane each: cross product of diagonals.
 template <class S>
 inline void areas_of_neighbours(const Pack<S> (&x)[kEight], const Pack<S> (&y)[kEight],
                                 Pack<S>& most) {
@@ -104,12 +102,11 @@ inline void areas_of_neighbours(const Pack<S> (&x)[kEight], const Pack<S> (&y)[k
   }
 }
 
-/// For five to eight corners: tries every diagonal that skips at least two corners, without a
-/// search for its other end. Quadrilaterals without such a diagonal are four neighbours. With fewer
-/// than eight corners the first ones repeat after the last. Some diagonals then have corners on the
-/// wrong side and give too small an area. But each quadrilateral also occurs with all corners in
-/// place: a path of two, three or four steps from an end of a diagonal does not cross the seam, or
-/// crosses it while staying at a corner.
+/// For five to eight corners: tries every diagonal that skips at least two corners. Quadrilaterals
+/// without such a diagonal are four neighbours. With fewer than eight corners the first ones repeat
+/// after the last. Some diagonals then have corners on the wrong side and give too small an area;
+/// but each quadrilateral also occurs with all corners in place: a path of two, three or four steps
+/// from an end of a diagonal does not cross the seam, or crosses it while staying at a corner.
 template <class S, int... kFirst>
 S best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kFirst...>) {
   constexpr int kLanes = Patch<S>::kLanes;
@@ -127,8 +124,7 @@ S best_of_eight(const Patch<S>& patch, std::integer_sequence<int, kFirst...>) {
   return lanes::largest<S>(most)[0];
 }
 
-/// Steps of area_of_best_quadrilateral() for `kPacks` packs of edges starting at edge i. Each
-/// corner is read once for all packs.
+/// Steps of area_of_best_quadrilateral() for `kPacks` packs of edges from edge i on.
 template <class S, int kPacks>
 inline void roll(const Patch<S>& patch, const S* edge_x, const S* edge_y, int i, Pack<S>& most) {
   constexpr int kLanes = Patch<S>::kLanes;

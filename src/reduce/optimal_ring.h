@@ -37,10 +37,8 @@ template <class S> class Patch {
  public:
   static constexpr int kLanes = lanes::kWidest<S>;
 
-  /// At least one point and at most kMaxManifoldPoints. Points off a common plane are projected
-  /// along the normal.
+  /// One to kMaxManifoldPoints points. Those off a common plane are projected along the normal.
   explicit Patch(const Candidates<S>& points);
-
   Vec2<S> corner(int i) const { return {xs[i], ys[i]}; }
   /// A contact point in the coordinates of the corners.
   Vec2<S> project(const Vec3<S>& position) const;
@@ -124,8 +122,7 @@ ChoiceWith<S> largest_with(const Candidates<S>& points, Patch<S>& patch, int poi
                            S depth_tie, KeptIndices& kept);
 
 /// The doubled area of the triangle of `centre` and the edge from corner i to j. 0 if the edge is
-/// seen from behind: `centre` is then outside the ring there, and its hull with the ring lacks that
-/// edge.
+/// seen from behind: the hull of ring and centre then lacks that edge.
 template <class S> S seen(const Patch<S>& patch, const Vec2<S>& centre, int i, int j) {
   return std::max(S(0), cross(patch.corner(i) - centre, patch.corner(j) - centre));
 }

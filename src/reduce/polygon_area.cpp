@@ -11,12 +11,10 @@ double best_from(const std::vector<Vec2d>& polygon, std::size_t start, int corne
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   std::vector<double> most(polygon.size(), kNone);
   most[start] = 0;
-  for (int used = 2; used <= corners; ++used) {
-    for (std::size_t to = polygon.size() - 1; to > start; --to) {
+  for (int used = 2; used <= corners; ++used)
+    for (std::size_t to = polygon.size() - 1; to > start; --to)
       for (std::size_t from = start; from < to; ++from)
         most[to] = std::max(most[to], most[from] + cross(polygon[from], polygon[to]));
-    }
-  }
   double best = 0;
   for (std::size_t end = start + 1; end < polygon.size(); ++end)
     best = std::max(best, most[end] + cross(polygon[end], polygon[start]));

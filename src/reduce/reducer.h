@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/manifold.h"
 #include "core/pack.h"
 #include "core/static_vector.h"
 
@@ -24,15 +23,13 @@ struct ReduceOptions {
   Choices* choices = nullptr;  // record of each choice; null: not recorded
 };
 
-/// A manifold reducer. The points must be coplanar with unit `normal`, finite, and more than
-/// max_points. Keeps between one and max_points different points. Deterministic. Call it through
-/// reduce().
+/// A manifold reducer for more than max_points points, finite and coplanar with unit `normal`.
+/// Keeps one to max_points different points. Deterministic. Call it through reduce().
 template <class S>
 using Reducer = KeptIndices (*)(ContactPoints<S> points, const Vec3<S>& normal,
                                 const ReduceOptions& options);
 
-/// A reducer as known to scenarios, the command line, studies and benchmarks. Listed by the last
-/// function of its file.
+/// A reducer for scenarios, the command line, studies and benchmarks, listed in its own file.
 struct ReducerInfo {
   std::string name;
   std::string summary;      // one line
@@ -47,16 +44,14 @@ const std::vector<ReducerInfo>& reducers();
 /// A reducer by name; null if unknown, and for "none", which keeps every point.
 const ReducerInfo* find_reducer(std::string_view name);
 
-/// Runs a reducer on at most kMaxManifoldPoints points. Without a reducer, or with at most
-/// max_points points, keeps all in their order. Keeps nothing if a position, a separation or the
-/// normal (unit) is not finite.
+/// Runs a reducer on at most kMaxManifoldPoints points. Without one, or with at most max_points
+/// points, keeps all in order. Keeps nothing if a number or the normal (unit) is not finite.
 template <class S>
 KeptIndices reduce(const ReducerInfo* reducer, ContactPoints<S> points, const Vec3<S>& normal,
                    const ReduceOptions& options);
 
-/// The default reducer. The talk's steps (`area`) may drop the deepest point: of overlapping hulls
-/// in games, one pair in fifty then reports a depth up to 9 % too small. The best area that
-/// includes the deepest point also costs less.
+/// The default. The talk's steps (`area`) may drop the deepest point: of overlapping hulls in
+/// games, one pair in fifty then reports a depth up to 9 % too small. This also costs less.
 inline constexpr const char* kDefaultReducer = "optimal_deepest";
 
 /// Whether all positions, separations and the normal are finite, without a branch for each.

@@ -22,8 +22,7 @@ int highest(int count, const Score& score, S more_than = -std::numeric_limits<S>
   return best;
 }
 
-/// The farthest two of `count`, lower index first; 0 twice if all coincide. A later pair must win
-/// by more than `tie`, square metres.
+/// The farthest two, lower index first; 0 twice if all coincide. `tie`: square metres.
 template <class S, class SquaredDistance>
 std::array<int, 2> farthest_two(int count, const SquaredDistance& squared_distance, S tie = S(0)) {
   std::array<int, 2> best = {0, 0};
@@ -94,7 +93,6 @@ inline KeptIndices first_of(KeptIndices choices, const ReduceOptions& options) {
 template <class S> struct Candidates {
   ContactPoints<S> points;
   const Vec3<S>& normal;  // unit
-
   int count() const { return count_of(points); }
   const Vec3<S>& operator[](int i) const { return at(points, i).position; }
   S separation(int i) const { return at(points, i).separation; }
@@ -112,8 +110,7 @@ template <class S> struct Candidates {
   int deepest() const {
     return highest([&](int i) { return -separation(i); });
   }
-  /// Points whose separations differ by no more than this, metres, are equally deep: rounding would
-  /// choose a different one in every frame.
+  /// Separations this close, metres, are equally deep: rounding would choose among them.
   S depth_tie(const ReduceOptions& options) const {
     S scale = static_cast<S>(options.scale);
     if (!(scale > S(0)))
@@ -135,8 +132,7 @@ template <class S> struct Candidates {
     return steps::next_by_id(
         count(), [&](int i) { return id(i); }, after, holds);
   }
-  /// The points with the previous frame's ids, in their order. Equal ids are distinguished by their
-  /// order among the points.
+  /// The points with the previous frame's ids, in their order; equal ids by their order.
   KeptIndices kept_before(const ReduceOptions& options) const {
     KeptIndices found;
     for (const FeatureId& before : options.previous) {
@@ -161,9 +157,8 @@ template <class S> struct Candidates {
     const Vec3<S> qb = (*this)[b] - (*this)[q];
     return qa.cross(qb).dot(normal);
   }
-  /// Doubled areas up to this, over an edge from a to b, may be rounding. A coordinate has an error
-  /// of half an ulp of its own size. So has a difference of two, however small; an area has that
-  /// error times the length of the edge.
+  /// Doubled areas up to this, over an edge from a to b, may be rounding: a coordinate, and a
+  /// difference of two, has an error of half an ulp; an area that times the length of the edge.
   S negligible_area(int a, int b) const {
     const S length = ((*this)[b] - (*this)[a]).norm();
     const S coordinate = (*this)[a].cwiseAbs().maxCoeff() + length;
@@ -175,8 +170,7 @@ template <class S> struct Candidates {
     return {highest([&](int q) { return doubled_area(q, a, b); }, negligible),
             highest([&](int q) { return -doubled_area(q, a, b); }, negligible)};
   }
-  /// Two points and the farthest on either side of the line through them; fewer if a side is empty
-  /// or the two coincide.
+  /// Two points and the farthest on either side of their line; fewer if a side is empty.
   KeptIndices two_and_both_sides(int first, int second, const ReduceOptions& options) const {
     const auto [left, right] = both_sides(first, second);
     KeptIndices choices;

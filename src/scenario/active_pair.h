@@ -2,9 +2,7 @@
 
 #include "broadphase/broad_phase.h"
 #include "dynamics/solver.h"
-#include "manifold/dispatch.h"
 #include "manifold/incremental.h"
-#include "query/mesh_overlap.h"
 #include "query/mesh_query_cost.h"
 #include "scenario/scenario.h"
 #include "trace/trace.h"
@@ -12,8 +10,7 @@
 /// Meshes and pairs that are run, with their settings and state.
 namespace contactscope {
 
-/// A mesh with motion.deform, rounded to the pipeline's scalar. If the tree decides itself when to
-/// be rebuilt, it depends on earlier frames.
+/// A mesh with motion.deform, in the pipeline's scalar. An automatic tree needs earlier frames.
 template <class S> class DeformingMesh {
  public:
   /// At time 0, with a new tree. `shape` has a deformation and must outlive this.
@@ -26,9 +23,8 @@ template <class S> class DeformingMesh {
   int index() const { return index_; }  // in the scenario's shapes
   const Shape<S>& shape() const { return shape_; }
 
-  /// Updates vertices, normals and tree. An automatic tree is rebuilt if queries of the previous
-  /// frame found it worse; without a verdict, its surface areas decide. Returns whether it was
-  /// rebuilt.
+  /// Updates vertices, normals and tree; returns whether it was rebuilt: an automatic tree is if
+  /// queries of the previous frame found it worse, or without a verdict by its surface areas.
   bool move_to(double time) {
     if (std::exchange(is_new_, false) && time == 0) return false;
     deform(time);
@@ -54,8 +50,7 @@ template <class S> class DeformingMesh {
  private:
   using Verdict = MeshQueryCost::Verdict;
 
-  // Boxes at this level below the root, and leaves above it, are recorded: sixteen at most, as many
-  // as a picture has room for.
+  // Boxes recorded: at this level below the root, and leaves above it. At most sixteen.
   static constexpr int kRecordedLevel = 4;
 
   void report_boxes(const AabbTree<S>& tree, int node, int level,
@@ -147,7 +142,6 @@ template <class S> struct ActivePair {
   PairImpulses<S> impulses;                       // dynamic scenarios only
   QueryMemory query;
   MeshQueryCost query_cost;  // of two meshes
-
   BoxPair shapes() const { return {pair.a, pair.b}; }
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "continuous/impact_of_shapes.h"
 #include "continuous/motion_bounds.h"
 #include "dynamics/continuous_step.h"
 #include "scenario/scenario.h"
@@ -12,8 +11,7 @@
 /// Records of the time of impact of two shapes.
 namespace contactscope {
 
-/// Motion of a scripted shape between two poses, in metres and by the shortest rotation. `pivot` is
-/// the pivot in the shape's frame.
+/// Motion of a scripted shape between two poses, by the shortest rotation. `pivot`: shape's frame.
 template <class S>
 Sweep<S> sweep_between(const Pose<double>& from, const Pose<double>& to, const Vec3d& pivot) {
   Sweep<double> sweep{from, pivot, to.transform(pivot) - from.transform(pivot), Vec3d::Zero()};
@@ -64,8 +62,7 @@ trace::Impact impact_facts(const Shape<S>& a, const Sweep<S>& sweep_a, const Sha
   return facts;
 }
 
-/// Marks the ghosts of a speculative pair: points that the motion closes although the shapes would
-/// not meet.
+/// Marks the ghosts of a speculative pair: points that close although the shapes do not meet.
 inline void report_ghosts(trace::Pair& pair) {
   trace::Impact& impact = *pair.impact;
   if (impact.status != "separated") return;
@@ -195,8 +192,7 @@ template <class S> class BetweenFrames {
     return method && !impact_refusal(scenario_.shape(a), scenario_.shape(b), *method);
   }
 
-  /// Motion of a shape through the step: a body moves and falls as if nothing stopped it, all
-  /// others follow their script.
+  /// Motion of a shape through the step: scripted, or of a body as if nothing stopped it.
   Sweep<S> sweep(int index, int frame, const Bodies& bodies) const {
     const ScenarioShape& shape = scenario_.shape(index);
     const S dt = static_cast<S>(scenario_.dt);

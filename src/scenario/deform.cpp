@@ -64,8 +64,7 @@ std::vector<Vec3d> deformed_vertices(const Deformation& deformation,
   return std::visit([&](const auto& how) { return deformed(how, at_rest, time); }, deformation);
 }
 
-/// With constant angular velocity w the rotation is exp(w t) R0. It is exact at every time, so no
-/// rounding accumulates over frames.
+/// With constant angular velocity w the rotation is exp(w t) R0: no rounding accumulates.
 Pose<double> pose_at(const ScenarioShape& shape, double time) {
   const Motion& motion = shape.motion;
   if (!motion.keyframes.empty()) return along_keyframes(motion.keyframes, time);

@@ -2,8 +2,7 @@
 
 #include "core/vec3.h"
 
-/// Deformation of a mesh over time, in its own frame: motion.deform of a scenario file. The rest
-/// shape is the one in the file.
+/// Deformation of a mesh over time, own frame: motion.deform. The file has the rest shape.
 namespace contactscope {
 
 /// A travelling sine: x + direction amplitude sin(2 pi (axis . x - speed t) / wavelength).

@@ -128,8 +128,7 @@ Expectation read_expectation(const Value& value, const Scenario& scenario) {
     if (expectation.last_frame < expectation.first_frame)
       range[1].fail("'frames' ends before it begins; write the first frame first");
   }
-  const Value a = table.require("a");
-  const Value b = table.require("b");
+  const Value a = table.require("a"), b = table.require("b");
   expectation.a = shape_named(a, scenario.shapes);
   expectation.b = shape_named(b, scenario.shapes);
   if (expectation.a == expectation.b) b.fail("'a' and 'b' are the same shape; a pair needs two");
@@ -372,8 +371,7 @@ std::vector<std::string> unmet_expectations(const Scenario& scenario,
         if (known->frames.back() != frame.frame) known->frames.push_back(frame.frame);
       }
     }
-    const std::string& a = scenario.shape(expected.a).name;
-    const std::string& b = scenario.shape(expected.b).name;
+    const std::string &a = scenario.shape(expected.a).name, &b = scenario.shape(expected.b).name;
     for (const Repeated& one : list) {
       std::string sentence = scenario.path + ":" + std::to_string(expected.line) + ": " +
                              spell_frames(one.frames) + ", " + a + "-" + b +

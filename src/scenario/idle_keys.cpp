@@ -143,10 +143,9 @@ void warn_of_idle_keys(const Value& file, Scenario& scenario) {
   Sentences& sentences = scenario.warnings;
   if (const auto pipeline = file.find("pipeline"))
     report_pair_keys(*pipeline, scenario.pairs, scenario, sentences);
-  if (const auto pairs = file.find("pairs")) {
+  if (const auto pairs = file.find("pairs"))
     for (const Value& entry : pairs->array_of_tables())
       report_pair_keys(entry, pair_of(entry, scenario), scenario, sentences);
-  }
   const std::vector<Value> shapes = file.require("shapes").members();
   for (int i = 0; i < count_of(shapes); ++i)
     if (!scenario.shape(i).deforms())

@@ -96,8 +96,7 @@ Mesh<double> read_grid(const Value& value) {
 /// Cells on each side of the surface; 0 for "dense".
 int read_band(const Value& value) { return value.is_string() ? value.word() : value.integer(); }
 
-/// Which of the cells on the surface use their triangles: all, none, or the ones that are not
-/// smooth.
+/// Cells on the surface that use their triangles: all, none, or those that are not smooth.
 void read_exact(const Value& value, FieldSettings& settings) {
   if (value.is_string()) {
     value.string();

@@ -78,10 +78,9 @@ void PairChooser::report(const BroadPhaseRecord& structure, trace::BroadPhase& f
   constexpr const char* kAxes[] = {"x", "y", "z"};
   if (structure.swept >= 0) facts.swept = kAxes[structure.swept];
   const auto name = [&](int handle) { return scenario_.shape(handle).name; };
-  for (const EndSwap& swap : structure.swaps) {
+  for (const EndSwap& swap : structure.swaps)
     facts.end_swaps.push_back({kAxes[swap.axis], static_cast<double>(swap.place), name(swap.lower),
                                name(swap.upper), swap.meets, swap.counts});
-  }
 }
 
 }  // namespace contactscope

@@ -18,11 +18,9 @@ class PairChooser {
         any_dynamic_(other.any_dynamic_),
         answered_(other.answered_) {}
   PairChooser& operator=(const PairChooser&) = delete;
-
   bool chooses() const { return phase_ != nullptr; }
 
-  /// Metres within which narrow phase and solver look for contacts. Boxes that are each expanded by
-  /// half of it miss none.
+  /// Metres within which narrow phase and solver look for contacts; boxes are expanded by half.
   double reach() const;
 
   /// The pairs of the next frame, ascending: shapes with overlapping boxes that make contacts, one
@@ -39,8 +37,7 @@ class PairChooser {
   const Scenario& scenario_;
   std::unique_ptr<BroadPhase> phase_;
   bool any_dynamic_;
-  /// Whether two kinds of shapes support the scenario's query. Finding the reason why not would
-  /// take longer than choosing a pair.
+  /// Whether two kinds of shapes support the scenario's query, faster than with the reason.
   std::array<std::array<bool, kShapeKinds>, kShapeKinds> answered_{};
 };
 

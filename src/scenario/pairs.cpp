@@ -45,8 +45,7 @@ void read_question(const Value& table, Question& question) {
   }
 }
 
-/// Rejects a [[pairs]] entry whose query is not supported. Pairs without contacts are left out with
-/// a warning, see leave_out_unanswered.
+/// Rejects a [[pairs]] entry whose query is not supported. See also leave_out_unanswered().
 void check_question(const ScenarioPair& pair, const std::vector<ScenarioShape>& shapes,
                     const Value& entry) {
   const Question& question = pair.pipeline.question;
@@ -71,8 +70,7 @@ void check_continuous(const ScenarioPair& pair, const std::vector<ScenarioShape>
     key->fail("'" + a.name + "' and '" + b.name + "' have no continuous query: " + *reason);
 }
 
-/// The settings that [pipeline] and [[pairs]] share; keys of incremental manifolds are checked even
-/// if they have no effect.
+/// The settings that [pipeline] and [[pairs]] share; all keys are checked, even without effect.
 PipelineSettings read_settings(const Value& table, PipelineSettings settings) {
   table.read("manifold", settings.manifold);
   table.read("core_margin", settings.incremental.core_margin);
@@ -255,8 +253,7 @@ std::vector<ScenarioPair> one_of_each_kind(const std::vector<ScenarioShape>& sha
 void leave_out_unanswered(Scenario& scenario) {
   std::set<std::string> record;
   std::erase_if(scenario.pairs, [&](const ScenarioPair& pair) {
-    const ScenarioShape& a = scenario.shape(pair.a);
-    const ScenarioShape& b = scenario.shape(pair.b);
+    const ScenarioShape &a = scenario.shape(pair.a), &b = scenario.shape(pair.b);
     const ShapeKind kind_a = kind_of(*a.geometry), kind_b = kind_of(*b.geometry);
     const Question& question = pair.pipeline.question;
     const auto reason = refusal(question, kind_a, kind_b);
@@ -276,12 +273,11 @@ void leave_out_unanswered(Scenario& scenario) {
 }
 
 void read_patches(const Value& file, const Value& value, Scenario& scenario) {
-  for (const char* key : {"shapes", "pairs", "time", "world", "solver", "expect"}) {
+  for (const char* key : {"shapes", "pairs", "time", "world", "solver", "expect"})
     if (const auto other = file.find(key))
       other->fail(
           std::string("'") + key +
           "' needs shapes, and a file of [[patch]] has only points; remove it, or the patches");
-  }
   std::set<std::string> names;
   for (const Value& item : value.array_of_tables()) {
     scenario.patches.push_back(read_patch(item, scenario.patches.size()));
@@ -305,12 +301,11 @@ void read_patches(const Value& file, const Value& value, Scenario& scenario) {
   if (const auto views = file.find("views")) {
     scenario.views = read_views(*views);
     const std::vector<Value> tables = views->array();
-    for (std::size_t i = 0; i < tables.size(); ++i) {
+    for (std::size_t i = 0; i < tables.size(); ++i)
       if (scenario.views[i].kind != ViewKind::ContactPlane)
         tables[i].fail(
             "a patch has no shapes to draw, only points in a plane; set kind = "
             "\"contact_plane\", or leave 'views' out");
-    }
   }
   scenario.snapshots = read_snapshots(file.find("snapshots"), scenario.frames, scenario.views);
 }

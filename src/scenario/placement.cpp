@@ -201,8 +201,7 @@ Scatter read_scatter(const Value& value) {
   return scatter;
 }
 
-/// Uniform over all rotations: a normalised point of the ball in four dimensions. Uses no function
-/// that libraries round differently.
+/// Uniform over all rotations: a normalised point of the ball in four dimensions, on every machine.
 Quatd random_rotation(std::mt19937_64& engine) {
   for (;;) {
     const double w = uniform(engine, -1, 1), x = uniform(engine, -1, 1);
@@ -212,8 +211,7 @@ Quatd random_rotation(std::mt19937_64& engine) {
   }
 }
 
-/// Small ones are frequent: as many between 1 and 2 as between 2 and infinity. Rational, for
-/// portable rounding.
+/// As many between 1 and 2 as between 2 and infinity. Rational, for portable rounding.
 double random_size(std::mt19937_64& engine, const std::array<double, 2>& scale) {
   const auto [low, high] = scale;
   return low * high / uniform(engine, low, high);
@@ -261,7 +259,6 @@ Motion read_motion(const Value& value, const Pose<double>& start, double end_tim
         .fail(
             "'velocity' carries the shape farther than 1e9 metres by the last frame; lower it, "
             "or 'frames' or 'dt' in [time]");
-
   if (const auto dynamic = table.find("dynamic")) dynamic->boolean();
   for (const char* key : {"mass", "density"})
     if (const auto value_of = table.find(key)) {

@@ -5,7 +5,6 @@
 #include <toml++/toml.h>
 
 #include "core/input_error.h"
-#include "core/key_table.h"
 #include "core/vec3.h"
 #include "scenario/keys.h"
 #include "scenario/scenario.h"
@@ -20,8 +19,7 @@ namespace contactscope::scenario_file {
 using Keys = std::vector<std::string_view>;
 
 /// One value of the file. `name` appears in messages: "half_extents" or "vertices[3]". Its type and
-/// limits are those of its key (keys.cpp). Refers to the parsed document and the file's name, which
-/// must outlive it.
+/// limits are those of its key (keys.cpp). Refers to the document and the file's name.
 class Value {
  public:
   Value(const std::string& file, const toml::node& node, std::string name, const Key* key = nullptr)
@@ -60,8 +58,7 @@ class Value {
   Value among(const Keys& tables) const;
   /// The value of a key of this table. Empty if the key is missing or this is not a table.
   std::optional<Value> find(std::string_view key) const;
-  /// Sets `target` to the value of a key, if the file has the key. An enumerator is at the position of
-  /// its word among those of the key.
+  /// Sets `target` if the file has the key. An enumerator has the position of its word.
   template <class Target> void read(std::string_view key, Target& target) const {
     if (const std::optional<Value> value = find(key)) value->get(target);
   }
@@ -121,9 +118,8 @@ inline constexpr double kLargestLength = 1e9;
 Vec3d read_direction(const Value& value);
 /// The keys position and rotation of a table; missing ones come from `otherwise`.
 Pose<double> read_pose(const Value& table, const Pose<double>& otherwise);
-/// A [shapes.NAME.motion] table of a shape that is not dynamic. `start` is the shape's own pose,
-/// `end_time` the time of the last frame in seconds; constant velocities must stay within
-/// kLargestLength until then.
+/// A [shapes.NAME.motion] table of a shape that is not dynamic. `start`: the shape's own pose;
+/// `end_time`: of the last frame, seconds, until when it must stay within kLargestLength.
 Motion read_motion(const Value& value, const Pose<double>& start, double end_time);
 
 // shapes.cpp, mesh_shape.cpp, placement.cpp
@@ -142,21 +138,18 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
 /// position and size. `table` is the shape's table.
 std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& scatter,
                                      const Value& table);
-/// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`. Warns of
-/// dropped triangles without area.
+/// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`.
 Shape<double> read_mesh(const Value& table, const Surroundings& surroundings);
 /// A shape of type "sdf": source shape and resolution.
 Shape<double> read_sdf(const Value& table, const Surroundings& surroundings);
 /// An inline shape with a type but no pose: any type except "sdf".
 Shape<double> read_plain_shape(const Value& value, const Surroundings& surroundings);
-/// The key deform of a [shapes.NAME.motion] table. `shape` already has its name, type and geometry;
-/// file names are relative to `folder`.
+/// The key deform of a motion. `shape` has its geometry; file names are relative to `folder`.
 Deformation read_deformation(const Value& value, const ScenarioShape& shape,
                              const std::filesystem::path& folder);
 /// [[x, y, z], ..], metres.
 std::vector<Vec3d> read_points(const Value& value);
-/// Reject points farther than kLargestLength from zero, and shapes smaller than kSmallestLength,
-/// which cannot be computed with.
+/// Reject points farther than kLargestLength from zero, and shapes smaller than kSmallestLength.
 void check_reach(const std::vector<Vec3d>& points, const Value& at);
 void check_radius(double radius, const Value& at);
 /// The path of the Wavefront file in a `file` key; the file must exist.
@@ -173,8 +166,7 @@ auto load_obj(const Value& file, const std::filesystem::path& folder, const Load
   }
 }
 
-/// The result of `build`; failure to build a hull or mesh is an error of the value that describes
-/// it.
+/// The result of `build`; its failure is an error of the value that describes the shape.
 template <class Build> auto build_at(const Value& at, const char* kind, const Build& build) {
   try {
     return build();
@@ -204,8 +196,7 @@ void leave_out_unanswered(Scenario& scenario);
 /// Index of the shape with the name in `value`.
 int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes);
 
-/// Reads a file of [[patch]], except `title`, `source` and `tags`, into `scenario`. `value`: its
-/// patches.
+/// Reads a file of [[patch]] into `scenario`, except its header. `value`: its patches.
 void read_patches(const Value& file, const Value& value, Scenario& scenario);
 
 // dynamics_keys.cpp: solver settings
@@ -236,8 +227,7 @@ SnapshotSettings read_snapshots(const std::optional<Value>& value, int frames,
 
 std::vector<Expectation> read_expectations(const Value& value, const Scenario& scenario);
 /// Warns, with the line, of each key of [pipeline], [[pairs]], [world] and [solver], and of each
-/// shape's friction and restitution, that has no effect in this scene, because another method uses
-/// it or its shapes are not there.
+/// shape's friction and restitution, that has no effect in this scene.
 void warn_of_idle_keys(const Value& file, Scenario& scenario);
 
 }  // namespace contactscope::scenario_file

@@ -78,10 +78,9 @@ template <class S> class Runner::In final : public Runner::InScalar {
   void step(bool recorded, trace::Frame* result) {
     const double time = next_ * scenario_.dt;
     for (DeformingMesh<S>& mesh : deforming_) {
-      if (mesh.move_to(time)) {
+      if (mesh.move_to(time))
         for (ActivePair<S>& pair : pairs_)
           if (pair.pair.a == mesh.index() || pair.pair.b == mesh.index()) pair.query_cost.restart();
-      }
       at(own_bounds_, mesh.index()) = {};
       if (result) result->deformed.push_back(mesh.facts());
     }
@@ -138,11 +137,10 @@ template <class S> class Runner::In final : public Runner::InScalar {
         record_manifolds<S>(contacts[i], record);
       }
     }
-    for (const ScenarioPatch& patch : scenario_.patches) {
+    for (const ScenarioPatch& patch : scenario_.patches)
       if (result)
         result->pairs.push_back(
             patch_facts<S>(patch, scenario_.pipeline, recorded ? stages_ : trace::Stages::none()));
-    }
     if (dynamic_) solve(poses, contacts, recorded ? result : nullptr);
     ++next_;
   }
@@ -157,8 +155,7 @@ template <class S> class Runner::In final : public Runner::InScalar {
     poses_before_ = poses;
   }
 
-  /// Whether a pair's contacts are unchanged and the solver will not need them: its bodies sleep
-  /// until they are woken, or are static.
+  /// Whether the solver does not need a pair's unchanged contacts: its bodies are asleep or static.
   bool is_at_rest(const ActivePair<S>& active) const {
     const auto rests = [&](int i) {
       return at(unmoved_, i) && (sleepers_.asleep(i) || !scenario_.shape(i).dynamic());
@@ -168,11 +165,10 @@ template <class S> class Runner::In final : public Runner::InScalar {
 
   void record_field_slices(const std::vector<Pose<S>>& poses, trace::Frame& frame) const {
     const Vec3d toward = facing_slices(scenario_);
-    for (int i = 0; i < count_of(poses); ++i) {
+    for (int i = 0; i < count_of(poses); ++i)
       if (const auto* field = std::get_if<Field<S>>(&shape(i)))
         frame.field_slices.push_back(slice_through(scenario_.shape(i).name, PlacedField::of(*field),
                                                    at(poses, i).template cast<double>(), toward));
-    }
   }
 
   /// From a mesh's collision frame to the file's, if they differ.

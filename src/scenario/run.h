@@ -5,10 +5,9 @@
 
 namespace contactscope {
 
-/// Runs the frames of one scenario, forwards only: some pairs depend on the previous frame
-/// (temporal coherence, some reducers, incremental manifolds), and bodies are where the previous
-/// step left them. Skipped frames are run without recording; they cost nothing if no state is kept.
-/// A copy continues independently.
+/// Runs the frames of one scenario, forwards only, since pairs and bodies depend on the previous
+/// frame. Skipped frames are run without recording; they cost nothing if no state is kept. A copy
+/// continues independently.
 ///
 /// Shapes are rounded to the scenario's scalar once, here. Keeps a reference to the scenario, which
 /// must outlive it unchanged. In dynamic scenarios a frame contains the bodies before its step, the
@@ -33,9 +32,8 @@ class Runner {
   /// scalar, as the pipeline used them. Pairs are in the scenario's order.
   trace::Frame frame(int frame) { return in_scalar_->run(frame, true); }
 
-  /// The same pipeline with only the manifolds recorded, as a physics engine would call it: `sat`,
-  /// `clip` and `reduction` are empty. `separation` is the deepest point's, or 0 if separated; only
-  /// frame() computes the distance then.
+  /// With only the manifolds recorded, as a physics engine would call it: `sat`, `clip` and
+  /// `reduction` are empty. `separation` is the deepest point's, or 0 if separated.
   trace::Frame frame_unrecorded(int frame) { return in_scalar_->run(frame, false); }
 
   /// Advances until `frame` is the next one, keeping the state that it depends on.

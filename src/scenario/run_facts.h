@@ -1,11 +1,9 @@
 #pragma once
 
 #include "dynamics/sleep.h"
-#include "dynamics/solver.h"
 #include "field/distance_field.h"
 #include "manifold/recorder.h"
 #include "scenario/scenario.h"
-#include "trace/trace.h"
 
 /// Trace records of shapes, patches and fields, and of the solver in dynamic scenarios.
 namespace contactscope {
@@ -42,9 +40,8 @@ trace::FieldSlice slice_through(const std::string& name, const PlacedField& fiel
 
 inline constexpr int kSliceValues = 96;
 
-/// A patch as a pair without shapes, labelled with its name: the manifold of the reduced points
-/// and, if recorded, all points with the choices. Points are rounded to the reducer's scalar; their
-/// ids are their numbers, from 1.
+/// A patch as a pair without shapes, labelled with its name: the reduced manifold and, if recorded,
+/// all points with the choices, rounded to the reducer's scalar; ids are numbers, from 1.
 template <class S>
 trace::Pair patch_facts(const ScenarioPatch& patch, const PipelineSettings& settings,
                         const trace::Stages& stages) {

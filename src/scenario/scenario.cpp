@@ -30,8 +30,7 @@ constexpr int kMaxDottedNames = 16;
                    message);
 }
 
-/// Offset after the string whose opening quote is at `start`; the end of the text if it does not
-/// close (the parser reports that).
+/// Offset after the string whose opening quote is at `start`, or the end if it does not close.
 std::size_t skip_string(std::string_view text, std::size_t start) {
   const char quote = text[start];
   const bool escapes = quote == '"';
@@ -93,7 +92,6 @@ std::string read_text(const std::string& path) {
   if (status.type() == fs::file_type::directory)
     refuse("this is a folder; give the path of a scenario (.toml) in it");
   require_regular_file(path, "give the path of a scenario (.toml)");
-
   const std::uintmax_t size = fs::file_size(path, error);
   std::ifstream in(path, std::ios::binary);
   if (!error && size > kMaxScenarioBytes) {
@@ -250,14 +248,12 @@ std::vector<View> load_views(const std::string& path) {
 
 std::vector<std::string> scenario_files(const std::string& root, const char* ending) {
   std::vector<std::string> files;
-  if (!fs::is_directory(root)) {
+  if (!fs::is_directory(root))
     throw InputError(root, 0, 0,
                      "no such folder; run where scenarios/ is, or give --scenarios DIR");
-  }
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root))
     if (entry.is_regular_file() && entry.path().extension() == ending)
       files.push_back(entry.path().string());
-  }
   std::ranges::sort(files);
   return files;
 }

@@ -1,29 +1,24 @@
 #pragma once
 
 #include "continuous/impact_of_shapes.h"
-#include "core/manifold.h"
 #include "core/pose.h"
 #include "dynamics/solver_settings.h"
-#include "geometry/shape.h"
 #include "manifold/collide_options.h"
 #include "manifold/pair_query.h"
-#include "reduce/reducer.h"
 #include "scenario/deform.h"
 #include "view/view.h"
 
 /// Contents of a scenario file, parsed and checked; scenarios/README.md documents the format.
 namespace contactscope {
 
-/// Pose at a time. Keys that a keyframe omits come from the keyframe before, or from the shape's
-/// own pose for the first.
+/// Pose at a time; keys that are left out come from the keyframe before, or the shape.
 struct Keyframe {
   double time = 0;  // seconds
   Pose<double> pose;
 };
 
 /// Scripted motion: keyframes (linear positions, slerp rotations, clamped ends), or constant
-/// velocities from the shape's own pose. Velocities in world space, m/s and rad/s about the shape's
-/// origin.
+/// velocities from the shape's own pose, in world space, m/s and rad/s about its origin.
 struct Motion {
   std::vector<Keyframe> keyframes;
   Vec3d velocity = Vec3d::Zero();
@@ -99,7 +94,6 @@ struct PipelineSettings {
 
   /// Whether solver and reducers get the pair's contacts.
   bool makes_contacts() const { return question.kind == QueryKind::Manifold; }
-
   friend bool operator==(const PipelineSettings&, const PipelineSettings&) = default;
 };
 
@@ -107,8 +101,7 @@ struct PipelineSettings {
 std::optional<std::string> impact_refusal(const ScenarioShape& a, const ScenarioShape& b,
                                           ImpactMethod method);
 
-/// Two shapes to collide, as indices into Scenario::shapes, with the settings of [pipeline],
-/// overridden by the [[pairs]] entry.
+/// Two shapes to collide, as indices, with the settings of [pipeline] and its [[pairs]] entry.
 struct ScenarioPair {
   int a = 0;
   int b = 0;
@@ -203,12 +196,10 @@ inline bool starts_somewhere(const Scenario& scenario, const ScenarioPair& pair)
 /// "<group>/<idea>": the folder and the name of a scenario file.
 std::string scenario_name(const std::string& path);
 
-/// Paths of all scenario files in a folder, or of files with another ending, sorted. Throws
-/// InputError if the folder does not exist.
+/// Paths of the scenario files in a folder, sorted. Throws InputError if it does not exist.
 std::vector<std::string> scenario_files(const std::string& root, const char* ending = ".toml");
 
-/// Reads a scenario file; relative file names are relative to its folder. Throws InputError with
-/// line, column and remedy.
+/// Reads a scenario; file names are relative to its folder. Throws InputError with the remedy.
 Scenario load_scenario(const std::string& path);
 
 /// The same from text; `path` is for messages and relative file names.

@@ -122,14 +122,12 @@ void check_title(const Value& value, const Scenario& scenario) {
                scenario.shapes.end() ||
            std::ranges::find(scenario.pairs, name, &ScenarioPair::label) != scenario.pairs.end();
   };
-  for (const TitleAlternative& pieces : parse_title(value.string()).title) {
-    for (const TitlePiece& piece : pieces) {
+  for (const TitleAlternative& pieces : parse_title(value.string()).title)
+    for (const TitlePiece& piece : pieces)
       for (const std::string& name : {piece.of, piece.of_other})
         if (!name.empty() && !is_known(name))
           value.fail("the title names '" + name +
                      "', which is neither a shape nor the label of a pair");
-    }
-  }
 }
 
 std::vector<View> read_views(const Value& value) {

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <unordered_map>
-
-#include "core/pose.h"
 #include "find/expression.h"
 #include "scenario/scenario.h"
 #include "trace/json.h"
-#include "trace/trace.h"
 
 /// Two shapes in one frame, as numbers of a scenario, for the shrinker.
 namespace contactscope::shrink {
@@ -43,7 +39,6 @@ struct PairOfTwo {
   std::vector<Setting> expectation{};  // keys of [[expect]] other than a and b; none: no entry
   /// Claims of another engine, in the frame of a; empty if the pipeline's own result is tested.
   std::optional<std::vector<trace::Manifold>> claims{};
-
   int vertex_count() const { return a.vertex_count() + b.vertex_count(); }
 };
 
@@ -67,8 +62,7 @@ using Engine = std::function<trace::Trace(const trace::Trace& request)>;
 /// The names that a condition of `shrink` may use.
 const find::Vocabulary& vocabulary();
 
-/// Tests whether a pair still has the property. Runs the scenario that would be written for the
-/// pair, so the result also holds for the file.
+/// Tests whether a pair still has the property, by the scenario that would be written for it.
 class Judge {
  public:
   /// `engines`: one for each side of the expression that is not built in: "", "float", "double",

@@ -61,8 +61,7 @@ struct OrientedBox {
 // The sizes in README.md.
 static_assert(sizeof(Slabs<3>) == 24 && sizeof(OrientedBox) == 60 && sizeof(Slabs<9>) == 72);
 
-/// A binary tree, split at the median along the longest side: the same triangles below each node,
-/// whatever its volume.
+/// A binary tree, split at the median along the longest side: the same nodes for every volume.
 template <class Volume> struct VolumeTree {
   struct Node {
     Volume volume;
@@ -94,8 +93,7 @@ template <class Volume> struct VolumeTree {
     return place;
   }
 
-  /// Calls leaf(triangle, triangle of other) if the volumes of both overlap. Returns the number of
-  /// compared volumes.
+  /// Calls leaf(triangle, triangle of other) where volumes overlap. Returns the number of tests.
   template <class Leaf> int query(const VolumeTree& other, const Leaf& leaf) const {
     int tests = 0;
     std::vector<std::pair<int, int>> open{{0, 0}};
@@ -106,10 +104,9 @@ template <class Volume> struct VolumeTree {
       const Node &of_a = at(nodes, a), &of_b = at(other.nodes, b);
       if (!of_a.volume.overlaps(of_b.volume)) continue;
       if (of_a.count == 1 && of_b.count == 1) leaf(of_a.first, of_b.first);
-      for (const int child : of_a.count >= of_b.count ? of_a.children : of_b.children) {
+      for (const int child : of_a.count >= of_b.count ? of_a.children : of_b.children)
         if (child >= 0)
           open.push_back(of_a.count >= of_b.count ? std::pair(child, b) : std::pair(a, child));
-      }
     }
     return tests;
   }
@@ -160,10 +157,8 @@ void add_volume(const char* name, const StudyOptions& options, std::optional<int
 }  // namespace
 
 /// Trees of axis-aligned boxes, oriented boxes and polytopes of eighteen planes over two balls, one
-/// within the other: surfaces near each other all over (Gottschalk et al. 1996). Over the gap
-/// between them: compared volumes, and the time to find all pairs of triangles whose
-/// volumes overlap. A volume that misses an intersection of two balls that cross counts as failed;
-/// none does.
+/// within the other (Gottschalk et al. 1996). Over the gap between them: compared volumes, and the
+/// time to find all pairs of triangles whose volumes overlap. Missed intersections are failures.
 std::vector<trace::Study> study_bounding_trees(const StudyOptions& options,
                                                const StudyProgress& progress) {
   std::vector<trace::Study> results =

@@ -46,9 +46,8 @@ Measurement judge_boxes(const StudyOptions& options, int tilt, bool as_box) {
 }  // namespace
 
 /// Gregorius 2015, "Collision Shapes: Convex Hull": a box should be as fast as a general hull as by
-/// a path of its own. The least time of a contact of two boxes over the tilt of the upper one, by
-/// their own path and by the path for any hulls. Pairs without a point count as failed; there is
-/// none.
+/// a path of its own. The least time of a contact over the tilt of the upper box, by both paths.
+/// Pairs without a point count as failed; there is none.
 std::vector<trace::Study> study_box_path(const StudyOptions& options,
                                          const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(

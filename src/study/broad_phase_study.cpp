@@ -154,8 +154,7 @@ struct EngineRun {
     return found;
   }
 
-  /// Results of all steps, in the order of the study's measures. 0 marks values that another
-  /// library does not report; they give no point.
+  /// In the order of the study's measures. What another library does not report is 0: no point.
   std::vector<trace::StudyPoint> points(int boxes) const {
     constexpr double kMilliseconds = 1e-6;
     const trace::Nanoseconds spent = times.summary();
@@ -189,8 +188,7 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
   const int steps = options.cases.value_or(kSteps);
   std::vector<trace::Study> results = results_of(
       "broad_phase", "float", "boxes",
-      "the pairs that columns find; " + std::to_string(steps) + " steps a point, seed " +
-          std::to_string(options.seed),
+      "the pairs that columns find; " + std::to_string(steps) + " steps a point" + options.seeded(),
       {{"time", "All pairs of boxes that overlap: time of a step", "milliseconds, median"},
        {"longest", "All pairs of boxes that overlap: the longest step", "milliseconds, longest"},
        {"memory", "What a broad phase holds", "bytes a box"},
@@ -234,9 +232,8 @@ std::vector<trace::Study> study_pair_finders(const std::vector<PairFinderInfo>& 
 }
 
 /// Broad phases over the number of boxes: time of a step, and bytes and comparisons per box, in
-/// five scenes. Every step starts with the pairs of the previous step, except in scenes that start
-/// from scratch each time. A step fails if it misses a pair that columns find; tests compare
-/// columns with brute force.
+/// five scenes, some with the pairs of the previous step. A step fails if it misses a pair that
+/// columns find; tests compare columns with brute force.
 std::vector<trace::Study> study_broad_phase(const StudyOptions& options,
                                             const StudyProgress& progress) {
   return study_pair_finders(own_pair_finders(), kNumbersOfBoxes, options, progress);

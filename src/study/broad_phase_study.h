@@ -12,8 +12,7 @@ class PairFinder {
   /// Moves box i to boxes[i]. The first call adds all boxes and lists them in `moved`; later calls
   /// have as many boxes, and those not in `moved` are unchanged.
   virtual void place(std::span<const Aabb<float>> boxes, std::span<const int> moved) = 0;
-  /// Adds each pair once to the empty `found`, in any order. Pairs that nearly overlap may be
-  /// included.
+  /// Adds each pair once to the empty `found`, in any order; pairs may only nearly overlap.
   virtual void find(std::vector<BoxPair>& found) = 0;
   /// Since creation; 0 if not counted.
   virtual std::int64_t comparisons() const { return 0; }

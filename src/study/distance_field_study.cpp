@@ -1,6 +1,5 @@
 #include "manifold/field_contact.h"
-#include "study/field_peer.h"
-#include "study/random_cases.h"
+#include "study/peers.h"
 #include "study/study.h"
 
 namespace contactscope {
@@ -151,7 +150,7 @@ std::vector<trace::Study> study_field_errors(const StudyOptions& options, const 
       "distance_field", "double", "cells",
       "all triangles in long double, " + std::to_string(count) +
           " points within 2 cm of a wavy ball of " + std::to_string(mesh.triangle_count()) +
-          " triangles, 1 m wide, by band in its box, seed " + std::to_string(options.seed),
+          " triangles, 1 m wide, by band in its box" + options.seeded(),
       {{"distance", "Error of a field's distance against the time of a query",
         "error of the distance", "m", 1e-8},
        {"normal", "Error of a field's gradient against the time of a query", "angle to the truth",
@@ -203,12 +202,11 @@ std::vector<FieldPiece> cube_poked(std::mt19937_64& engine, double depth) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
-    for (const int base : {0, 1 << axis}) {
+    for (const int base : {0, 1 << axis})
       for (const int third : {u, v})
         pieces.push_back({{at(corners, base), at(corners, base + third), at(corners, base + u + v)},
                           3,
                           face_ref(Owner::A, count_of(pieces))});
-    }
   }
   return pieces;
 }
@@ -217,7 +215,7 @@ std::vector<trace::Study> study_missed(const StudyOptions& options, const StudyS
   const int count = options.cases.value_or(kPokeCases);
   std::vector<trace::Study> results =
       results_of("distance_field", "double", "cells between points",
-                 "how the cases are made, seed " + std::to_string(options.seed),
+                 "how the cases are made" + options.seeded(),
                  {{"missed", "Overlaps that points of the surface miss", "share of the overlaps",
                    "", 0.5 / count}},
                  trace::StudyForm::Curves);
@@ -280,7 +278,7 @@ std::vector<trace::Study> study_plates(const StudyOptions& options, const StudyS
   constexpr double kCell = 1.0 / kPlateCells;
   std::vector<trace::Study> results =
       results_of("distance_field", "double", "cells between points",
-                 "how the cases are made, seed " + std::to_string(options.seed),
+                 "how the cases are made" + options.seeded(),
                  {{"plate", "What a field loses of a thin plate",
                    "share of its places called outside", "", 0.5 / (kPlates * kPlatePlaces)}},
                  trace::StudyForm::Curves);

@@ -40,8 +40,7 @@ double over_faces(const Hull<double>& a, const Hull<double>& b, const Pose<doubl
   return least;
 }
 
-/// Every vertex against every face and every edge against every edge, as in the lecture's search; they
-/// decide for all pairs of features.
+/// Every vertex against every face and edge against edge, as in the lecture's search.
 Stepped all_pairs(const SeparatedHulls& c) {
   double least = std::min(over_faces(c.a, c.b, c.b_in_a),
                           over_faces(c.b, c.a, relative_pose(c.b_in_a, Pose<double>())));
@@ -142,18 +141,17 @@ trace::Study study_gains(const StudyOptions& options) {
 
 }  // namespace
 
-/// "pairs": how many pairs of features V-Clip compares for the distance of two random hulls, how many
-/// steps GJK takes, and how many pairs there are, over the number of vertices. A case fails if its
-/// distance is not that of all pairs. "gains": by how much the next point of GJK is nearer, step by
-/// step, for a pair that never ends without tolerances. Failed are the pairs, of a thousand such, that
-/// only the cap ends.
+/// "pairs": how many pairs of features V-Clip compares for the distance of two random hulls, how
+/// many steps GJK takes, and how many pairs there are. A case fails if its distance is not that of
+/// all pairs. "gains": by how much GJK's next point is nearer, step by step, for a pair that never
+/// ends without tolerances. Failed are the pairs, of a thousand such, that only the cap ends.
 std::vector<trace::Study> study_distance(const StudyOptions& options,
                                          const StudyProgress& progress) {
   const StudyGrid grid(options, kSearches, kVertices, kSeparatedPairs, kDistanceRepetitions);
   std::vector<trace::Study> results = results_of(
       "distance", "double", "vertices of each hull",
-      "all pairs of features, " + std::to_string(grid.cases) + " separated pairs a point, seed " +
-          std::to_string(options.seed),
+      "all pairs of features, " + std::to_string(grid.cases) + " separated pairs a point" +
+          options.seeded(),
       {{"pairs", "Steps to the distance of two hulls", "compared pairs of features, or steps"}},
       trace::StudyForm::Curves);
   std::vector<std::vector<SeparatedHulls>> pairs(grid.parameters.size());

@@ -69,8 +69,7 @@ std::optional<ExhaustiveContact> crossing(const Edge& a, const Edge& b, const Ve
 
 }  // namespace exhaustive
 
-/// The deepest contact that the lecture's search finds; nothing if no corner is inside and no edges
-/// cross.
+/// The deepest contact of the lecture's search; nothing if no corner is inside and no edges cross.
 inline std::optional<ExhaustiveContact> exhaustive_contact(const Vec3d& a, const Vec3d& b,
                                                            const Pose<double>& b_in_a) {
   std::optional<ExhaustiveContact> deepest;

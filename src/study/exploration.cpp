@@ -26,17 +26,15 @@ Scenario unreduced(const Scenario& scenario) {
     });
     if (!is_known) result.pairs.push_back(pair);
   }
-  for (ScenarioPair& pair : result.pairs) {
+  for (ScenarioPair& pair : result.pairs)
     if (std::ranges::count_if(result.pairs, same_shapes(pair)) == 1 &&
         std::ranges::count_if(scenario.pairs, same_shapes(pair)) > 1)
       pair.label.clear();
-  }
   return result;
 }
 
-/// Largest movement of a shape's surface between two poses, in metres: of its vertices and, since a
-/// plane has none and a sphere only its centre, of its current points at `contacts` (world).
-/// Exactly 0 for equal poses.
+/// Largest movement of a shape's surface between two poses, metres: of its vertices and, for planes
+/// and spheres, of its current points at `contacts` (world). Exactly 0 for equal poses.
 double surface_move(const trace::Shape& shape, const Pose<double>& before, const Pose<double>& now,
                     const std::vector<trace::Point>& contacts) {
   // Transforming to the local frame and back would add rounding.
@@ -56,10 +54,9 @@ double surface_move(const trace::Shape& shape, const Pose<double>& before, const
 /// manifolds of the pair together: a single floor triangle supports few boxes.
 void find_supported(const Vec3d& up, const Vec3d& load, std::span<trace::Exploration> manifolds) {
   std::vector<ContactPoint<double>> points;
-  for (const trace::Exploration& manifold : manifolds) {
+  for (const trace::Exploration& manifold : manifolds)
     for (const trace::Point& point : manifold.points)
       points.push_back({point.position, point.separation, FeatureId()});
-  }
   for (std::size_t i = 0; i < manifolds.front().reducers.size(); ++i) {
     std::vector<int> kept;
     int first = 0;
@@ -96,12 +93,11 @@ template <class S> class Explorations {
           add_manifold(frame, pair, manifold, places[manifold.triangle.value_or(-1)]++,
                        max_points(i));
       if (result_.size() == first) continue;
-      Resting& resting = resting_.emplace_back(first, result_.size() - first);
+      resting_.push_back({first, result_.size() - first});
       if (!knows(pair.a) || !knows(pair.b)) continue;  // a patch without bodies bears no weight
       // The higher body rests on the other one.
-      const Vec3d up = header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY();
       const Vec3d a = center(frame, pair.a), b = center(frame, pair.b);
-      resting.load = a.dot(up) > b.dot(up) ? a : b;
+      resting_.back().load = a.dot(up()) > b.dot(up()) ? a : b;
     }
     before_ = frame;
   }
@@ -145,18 +141,16 @@ template <class S> class Explorations {
   struct Resting {
     std::size_t first, count;
     std::optional<Vec3d> load{};
-    Resting(std::size_t first_place, std::size_t how_many) : first(first_place), count(how_many) {}
   };
 
   void rest(const Resting& resting) {
     const auto manifolds = std::span(result_).subspan(resting.first, resting.count);
-    if (resting.load)
-      return find_supported(header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY(), *resting.load,
-                            manifolds);
+    if (resting.load) return find_supported(up(), *resting.load, manifolds);
     for (trace::Exploration& exploration : manifolds)
       for (trace::ReducerAnswer& answer : exploration.reducers)
         answer.supports_center_of_mass.reset();
   }
+  Vec3d up() const { return header_.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY(); }
   bool knows(const std::string& name) const {
     return std::ranges::find(header_.shapes, name, &trace::Shape::name) != header_.shapes.end();
   }

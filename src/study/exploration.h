@@ -19,15 +19,13 @@ namespace contactscope {
 /// the largest loss of reach over all axes (the distance of the farthest point from the kept
 /// polygon), as a fraction of the patch's radius. 0 for one point.
 ///
-/// depth_error, metres: largest difference between a point's depth and the plane fitted to the kept
-/// depths (least squares).
+/// depth_error, metres: largest difference of a depth from the plane fitted to the kept depths.
 trace::ReducerAnswer measure_reduction(std::span<const ContactPoint<double>> points,
                                        const Vec3d& normal, std::span<const int> kept,
                                        int max_points);
 
 /// Whether a point, seen along unit `normal`, is in the convex hull of the kept points: a load
-/// through it along the normal, such as a weight, tips nothing. Points within rounding of the edge
-/// count as inside.
+/// through it tips nothing. Points within rounding of the edge count as inside.
 bool supports(std::span<const ContactPoint<double>> points, const Vec3d& normal,
               std::span<const int> kept, const Vec3d& place);
 
@@ -40,20 +38,16 @@ struct ExploreOptions {
 };
 
 /// Runs every reducer on the unreduced manifolds of frames 0 to `last_frame` of a scenario, in its
-/// scalar, with each pair's own max_points. One entry per frame and touching pair, per triangle for
-/// a mesh, frames in order; reducers in the given order. A reducer that depends on the previous
-/// frame gets its own result there. Pairs that differ only in the reducer are explored once,
-/// without label unless other pairs have the same shapes. The weight of the upper body acts
-/// straight down through its centre of mass, supported by the kept points of all manifolds of the
-/// pair.
+/// scalar, with each pair's max_points. One entry per frame and touching pair, per triangle for a
+/// mesh, frames in order; reducers in the given order, each with its own result in the previous
+/// frame. Pairs that differ only in the reducer are explored once, without label unless other pairs
+/// have the same shapes. The upper body's weight is supported by the kept points of all manifolds.
 ///
-/// Times are of single calls with input in cache, all reducers in turn, so that other load on the
-/// machine affects all of them.
+/// Times are of single calls with input in cache, all reducers in turn.
 std::vector<trace::Exploration> explore(const Scenario& scenario, int last_frame,
                                         const ExploreOptions& options);
 
-/// The same for a trace, with four points: all points before a recorded reduction, else the points
-/// that the engine reports.
+/// The same for a trace, with four points of those before a recorded reduction, or else reported.
 std::vector<trace::Exploration> explore(const trace::Trace& trace, const ExploreOptions& options);
 
 /// One row of the table, over all frames and pairs.
@@ -116,8 +110,7 @@ inline Vec3d middle_of(const Points& places) {
 /// Movement of a manifold between two frames, in metres: the largest movement of a point, or of the
 /// centroid if that is larger. Points with the same id move between their two positions. A new
 /// point moves from the nearest earlier position, a removed one to the nearest later one. So
-/// replacing four points by four others with the same centroid counts as movement, and renaming an
-/// id in place does not. 0 if either frame has no points.
+/// renaming an id in place does not count. 0 if either frame has no points.
 inline double patch_move(const Points& before, const Points& now) {
   if (before.empty() || now.empty()) return 0;
   return std::max({largest_distance(before, now), largest_distance(now, before),

@@ -58,12 +58,9 @@ std::vector<trace::Study> study_flip_distance(const StudyOptions& options,
           line.method = name_of(pair);
           line.panel = scenario.name;
           line.parameter = "frame";
-          line.points.push_back({static_cast<double>(frame),
-                                 numbers[i],
-                                 numbers[i],
-                                 {each, each, each},
-                                 numbers[i] ? 0 : 1,
-                                 1});
+          const int failed = numbers[i] ? 0 : 1;
+          line.points.push_back(
+              {double(frame), numbers[i], numbers[i], {each, each, each}, failed, 1});
         }
       }
     }

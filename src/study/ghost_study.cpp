@@ -164,10 +164,9 @@ Slide slide(const Floor& floor, const GhostSlider& slider, double speed) {
 
 }  // namespace
 
-/// Shapes that slide 2 m over floors without friction, at 60 steps a second: how far a floor that is
-/// flat throws them up, and how much it slows them. Right is nothing. Floors are meshes of 10 cm
-/// tiles, with and without shared vertices, and bodies that share a face plane. Engines call this
-/// ghost collisions, or internal edges.
+/// Shapes that slide 2 m over flat floors without friction, at 60 steps a second: how far a floor
+/// throws them up, and how much it slows them. Right is nothing. Floors are meshes of 10 cm tiles,
+/// with and without shared vertices, and bodies that share a face plane (ghost collisions).
 std::vector<trace::Study> study_ghosts(const StudyOptions& options, const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(
       "ghost", "float", "m/s", "sliding without friction, 2 m, 60 steps a second",

@@ -11,8 +11,7 @@ constexpr int kCases = 100;
 constexpr int kRepetitions = 7;
 constexpr int kSteps = 8;  // of the motion before, which fills the cache
 
-/// Pose of B `back` steps earlier on the pair's random path: a step is 0.02% of the hulls' size and
-/// half a milliradian.
+/// Pose of B `back` steps of 0.02% of the size and half a milliradian earlier on its random path.
 Pose<double> earlier(const OverlappingHulls& hulls, int back) {
   const Quatd turn(Eigen::AngleAxisd(5e-4 * back, hulls.turn_axis));
   return {(turn * hulls.b_in_a.rotation).normalized(),
@@ -21,10 +20,9 @@ Pose<double> earlier(const OverlappingHulls& hulls, int back) {
 
 /// Fills the cache by running the steps before this pose.
 template <class S> void move_there(const OverlappingHulls& hulls, RoundedHulls<S>& rounded) {
-  for (int back = kSteps; back > 0; --back) {
+  for (int back = kSteps; back > 0; --back)
     collide_hull_hull(rounded.a, Pose<S>(), rounded.b, earlier(hulls, back).cast<S>(),
                       CollideOptions(), &rounded.cache);
-  }
 }
 
 /// Result of a method. If it has a normal, the separation is along it and need not be the least.
@@ -109,9 +107,8 @@ trace::Study times_of(trace::Study study) {
 }  // namespace
 
 /// Depth by the separating axis test, in float and in double, for hulls of 8, 16, 32 and 64
-/// vertices, as in sat(). Also whole contacts by collide_hull_hull(): with the deepest axis, without
-/// the preference for coherent features; and with it, from scratch and with the cache left by the
-/// pair's motion (only coherent features are cached).
+/// vertices, as in sat(). Also whole contacts by collide_hull_hull(): without the preference for
+/// coherent features; and with it, from scratch and with the cache left by the pair's motion.
 ///
 /// The error is |separation - oracle| over the size of the hulls. Coherent contacts may prefer a
 /// slightly deeper axis, so the oracle measures the axis that they chose. Float errors include
@@ -123,7 +120,7 @@ std::vector<trace::Study> study_hull_precision(const StudyOptions& options,
   std::vector<trace::Study> results = results_of(
       "hull_precision", "float and double", "vertices",
       "extended precision, " + std::to_string(grid.cases) +
-          " overlapping pairs of 1 mm to 1 km a point, seed " + std::to_string(options.seed),
+          " overlapping pairs of 1 mm to 1 km a point" + options.seeded(),
       {{"depth", "The depth of two hulls: precision and run time of the separating axis test",
         "error of the depth / size of the hulls"}});
   std::vector<HullCases> cases(grid.parameters.size());

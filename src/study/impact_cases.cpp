@@ -153,10 +153,9 @@ ImpactTally judge_impacts(ImpactFinder& finder, std::span<const ImpactCase> case
     if (!found.hit) {
       // Shortly after touching they overlap, unless they only graze.
       double deepest = 0;
-      if (touches) {
+      if (touches)
         for (const double after : {1e-4, 1e-3, 1e-2})
           deepest = std::min(deepest, separation_at(of, std::min(of.touches + after, 1.0)));
-      }
       tally.missed += deepest < -kImpactRounding;
       continue;
     }

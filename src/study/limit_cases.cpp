@@ -17,22 +17,15 @@ constexpr double kShift = 0.2;        // of the size: the upper shape stays over
 Quatd turn(const Vec3d& axis, double radians) { return Quatd(Eigen::AngleAxisd(radians, axis)); }
 
 Shape<double> shape_of(Stacked kind, double size, double aspect) {
-  switch (kind) {
-    case Stacked::Sphere:
-      return Sphere<double>{kSphereRadius * size};
-    case Stacked::Capsule: {
-      const double half = kCapsuleHalfLength * size * aspect;
-      return Capsule<double>{{Vec3d(-half, 0, 0), Vec3d(half, 0, 0)}, kCapsuleRadius * size};
-    }
-    case Stacked::Box:
-      return make_box(Vec3d(kHalfCube * size * aspect, kHalfCube * size, kHalfCube * size));
-    case Stacked::Plane:
-      return HalfSpace<double>{{Vec3d::UnitY(), 0}};
-    case Stacked::Mesh:
-      break;
+  if (kind == Stacked::Sphere) return Sphere<double>{kSphereRadius * size};
+  if (kind == Stacked::Capsule) {
+    const double half = kCapsuleHalfLength * size * aspect;
+    return Capsule<double>{{Vec3d(-half, 0, 0), Vec3d(half, 0, 0)}, kCapsuleRadius * size};
   }
-  const double x = kHalfMesh * size * aspect;
-  const double z = kHalfMesh * size;
+  if (kind == Stacked::Box)
+    return make_box(Vec3d(kHalfCube * size * aspect, kHalfCube * size, kHalfCube * size));
+  if (kind == Stacked::Plane) return HalfSpace<double>{{Vec3d::UnitY(), 0}};
+  const double x = kHalfMesh * size * aspect, z = kHalfMesh * size;
   // Off centre, so that the upper shape touches one of the two.
   return build_mesh({{-0.5 * x, 0, -1.5 * z},
                      {1.5 * x, 0, -1.5 * z},
@@ -65,8 +58,7 @@ Quatd rotation_on_top(const PairKind& kind, const Stacking& stacking, bool on_a_
     return turn(Vec3d::UnitY(), stacking.angle) * turn(Vec3d::UnitX(), edge_down);
   }
   if (stacking.tilt != 0) return turn(Vec3d::UnitZ(), stacking.tilt);
-  // A downward end would miss the lower one's axis. Nearly parallel axes have their own study, and
-  // their own rules when they meet.
+  // A downward end would miss the lower axis. Nearly parallel axes have their own study.
   if (kind.below == Stacked::Capsule)
     return turn(Vec3d::UnitY(), kMinCrossing + yaw / 2 * (1 - 2 * kMinCrossing / std::numbers::pi));
   return on_a_corner ? any : turn(Vec3d::UnitY(), yaw);
@@ -241,7 +233,6 @@ template <class S> PairVerdict judge_pair(const StackedPair& pair) {
 
 template struct RoundedPair<float>;
 template struct RoundedPair<double>;
-template PairVerdict judge_pair<float>(const StackedPair&);
-template PairVerdict judge_pair<double>(const StackedPair&);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(judge_pair);
 
 }  // namespace contactscope

@@ -10,9 +10,8 @@ constexpr int kCases = 40;     // per point of a curve and kind of pair
 constexpr int kMapCases = 24;  // per cell of a map
 constexpr int kRepetitions = 3;
 
-/// Lines of a point: each scalar compared with its own rounded shapes, then with the unrounded
-/// ones; last the true overlap. Two measures: relative to the size of the shapes, and in ulps of
-/// the pair's coordinates.
+/// Lines of a point: each scalar compared with its rounded shapes, then with the unrounded ones;
+/// last the true overlap. Two measures: relative to the size, and in ulps of the coordinates.
 constexpr const char* kLines[] = {"float", "double", "float, unrounded", "double, unrounded",
                                   "overlap"};
 constexpr std::size_t kJudgements = 4;  // all except the overlap
@@ -70,7 +69,7 @@ trace::Study described(const StudyOptions& options, trace::StudyForm form, const
                                 : "error of the contact / size of the shapes";
   return results_of("stability", "float and double", "",
                     "all axes and features in extended precision, " + std::to_string(cases) +
-                        " cases " + of_what + ", seed " + std::to_string(options.seed),
+                        " cases " + of_what + options.seeded(),
                     {{measure, title, error}}, form)
       .front();
 }
@@ -184,8 +183,7 @@ trace::Study run_map(const LimitMap& map, const StudyOptions& options, Workers& 
 
 std::vector<double> LimitSweep::values() const {
   std::vector<double> list;
-  const long first = std::lround(2 * std::log10(low));
-  const long last = std::lround(2 * std::log10(high));
+  const long first = std::lround(2 * std::log10(low)), last = std::lround(2 * std::log10(high));
   for (long half = first; half <= last; ++half)
     list.push_back(std::pow(10.0, 0.5 * static_cast<double>(half)));
   return list;

@@ -62,9 +62,8 @@ enum class ContactFault {
               // overlap is within the rounding of its coordinates
 };
 
-/// Allowed rounding error of depth and normal, in units of the scalar's epsilon times the pair's
-/// coordinates (SeparationOracle::scale). Twice what the pipeline allows its own clipping
-/// (depth_rounding in query/tolerance.h).
+/// Allowed rounding error of depth and normal, in epsilon times SeparationOracle::scale. Twice what
+/// the pipeline allows its own clipping (depth_rounding in query/tolerance.h).
 inline constexpr double kPrecisionBound = 64;
 
 /// One contact, compared with two references. Lengths in metres.
@@ -84,8 +83,7 @@ struct PairVerdict {
   double scale = 0;  // coordinates of the pair, SeparationOracle::scale
 };
 
-/// Moves the pair, rounds it to S, and collides it without a preference, then with one, whose
-/// result must agree within what it allows.
+/// Moves and rounds the pair, and collides it without and with a preference; both must agree.
 template <class S> PairVerdict judge_pair(const StackedPair& pair);
 
 /// A pair in the world as stored in S, ready for repeated collision.

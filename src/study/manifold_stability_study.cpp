@@ -62,9 +62,8 @@ Pose<double> start_of(const LandingCase& c) {
   return pose;
 }
 
-/// Degrees of rotation that symmetry excludes: all of it for a drop; for a tilt the rotation of the
-/// axis along its edge; for a slide, which may pitch, the rotation of the horizontal axis
-/// perpendicular to its direction.
+/// Degrees of rotation that symmetry excludes: all of it for a drop; for a tilt that of the axis
+/// along its edge; for a slide, which may pitch, that of the horizontal axis across it.
 double impossible_rotation(const LandingCase& c, const Quatd& from, const Quatd& to) {
   if (c.landing == Landing::Drop) return from.angularDistance(to) * kDegrees;
   const Vec3d kept = c.landing == Landing::Tilt ? Vec3d::UnitX() : Vec3d::UnitZ();
@@ -166,8 +165,7 @@ constexpr CoreMethod kCoreMethods[] = {{"GJK"},
                                        {"MPR", PenetrationMethod::Mpr},
                                        {"sampling", PenetrationMethod::Sampling}};
 
-/// Catto 2007, "Deep Contact": the share of the touching frames in which the query is needed, and
-/// its time.
+/// Catto 2007, "Deep Contact": the share of touching frames that need the query, and its time.
 Measurement judge_queries(double height, const CoreMethod& method, const StudyOptions& options) {
   Measurement measured(1, options.cases.value_or(kLandingCases));
   std::mt19937_64 engine(options.seed);
@@ -230,12 +228,11 @@ LandingOutcome land(const LandingCase& c, LandingMethod method, int frames) {
   return outcome;
 }
 
-/// Compares one-shot manifolds with incremental ones, confirmed by distance and by ids, for boxes
-/// that drop, land on an edge, and slide. Measures from Gregorius 2015, "Building Incremental
-/// Manifolds (2)" and (3) and "Incremental Manifold Stability": frames to a stable manifold
-/// ("frames"), artificial rotation ("rotation"), and drift of the patch ("wander"). Errors against
-/// the parameter; run time is per pair and frame. A case fails if its manifold never becomes
-/// stable.
+/// Compares one-shot manifolds with incremental ones by distance and by ids, for boxes that drop,
+/// land on an edge, and slide. Measures from Gregorius 2015, "Building Incremental Manifolds (2)"
+/// and (3) and "Incremental Manifold Stability": frames to a stable manifold ("frames"), artificial
+/// rotation ("rotation"), and drift of the patch ("wander"). Run time is per pair and frame. A case
+/// fails if its manifold never becomes stable.
 ///
 /// "queries": Catto 2007, "Deep Contact": of the frames in which a dropped box touches the floor, the
 /// share in which GJK suffices, because the cores are separated, and that in which a method for the depth
@@ -245,7 +242,7 @@ std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
   std::vector<trace::Study> results = results_of(
       "manifold_stability", "float", "parameter of the landing",
       "symmetry; " + std::to_string(options.cases.value_or(kLandingCases)) + " boxes a point, " +
-          std::to_string(kLandingFrames) + " frames, seed " + std::to_string(options.seed),
+          std::to_string(kLandingFrames) + " frames" + options.seeded(),
       {{"frames", "Frames until the manifold is stable", "frames to a stable manifold"},
        {"rotation", "Rotation that the motion cannot have by symmetry",
         "artificial rotation (degrees)", "", kRotationResolution},
@@ -267,8 +264,7 @@ std::vector<trace::Study> study_manifold_stability(const StudyOptions& options,
   std::vector<trace::Study> queries =
       results_of("manifold_stability", "float", "height of the drop (m)",
                  std::to_string(options.cases.value_or(kLandingCases)) + " boxes a point, " +
-                     std::to_string(kLandingFrames) + " frames, margins of 2 cm, seed " +
-                     std::to_string(options.seed),
+                     std::to_string(kLandingFrames) + " frames, margins of 2 cm" + options.seeded(),
                  {{"queries", "How often boxes that touch are deeper than their margins",
                    "share of the touching frames", trace::kShare}},
                  trace::StudyForm::Curves);

@@ -7,9 +7,8 @@ namespace contactscope {
 /// How a box lands on a floor.
 enum class Landing { Drop, Tilt, Slide };
 
-/// A box thrown onto a floor; all lengths in metres. `parameter`: drop height of a level box, tilt
-/// angle in radians of a box that lands on an edge, or speed in metres per second of a level box
-/// that slides.
+/// A box thrown onto a floor, metres. `parameter`: drop height of a level box, tilt angle in
+/// radians of one that lands on an edge, or speed in metres per second of one that slides.
 struct LandingCase {
   Landing landing = Landing::Drop;
   double parameter = 0;
@@ -23,8 +22,7 @@ struct LandingOutcome {
   /// Largest rotation in degrees that symmetry excludes: any for drops, about the normal for tilts,
   /// about the normal or the direction for slides.
   double rotation = 0;
-  /// Path length of the contact points' mean in the box, relative to the largest half extent of the
-  /// box's bottom.
+  /// Path of the contact points' mean in the box, over the largest half extent of its bottom.
   double wander = 0;
   std::vector<Pose<float>> poses;  // of the box, one per frame
 };

@@ -77,8 +77,7 @@ void study_sizes(const StudyOptions& options, const StudyStep& step, trace::Stud
   }
 }
 
-/// One ball is twisted more in each frame. A frame fails if the methods do not all find the same
-/// pairs of triangles.
+/// One ball is twisted more in each frame, which fails if the methods find different pairs.
 void study_deformation(const StudyOptions& options, const StudyStep& step, trace::Study& times,
                        trace::Study& costs) {
   const int frames = options.frames.value_or(kDeformingFrames);
@@ -200,10 +199,9 @@ void study_motion(const StudyOptions& options, const StudyStep& step, trace::Stu
 }  // namespace
 
 /// Mesh against mesh, three results. "time": building both trees, querying and refitting over the
-/// number of triangles; and an update with a query per frame while one mesh is twisted: its tree
-/// refitted, rebuilt, or rebuilt once a query costs 30 % more. "motion": one query per frame while
-/// a mesh moves, from the roots or coherent. "cost": for these frames, expected query cost and
-/// compared node pairs.
+/// number of triangles; and a frame while one mesh is twisted: its tree refitted, rebuilt, or
+/// rebuilt once a query costs 30 % more. "motion": one query per frame while a mesh moves, from the
+/// roots or coherent. "cost": for these frames, expected query cost and compared node pairs.
 std::vector<trace::Study> study_meshes(const StudyOptions& options, const StudyProgress& progress) {
   std::vector<trace::Study> results = results_of(
       "mesh_mesh", "float", "triangles",

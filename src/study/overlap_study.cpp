@@ -77,7 +77,7 @@ std::vector<trace::Study> study_bounds(const StudyOptions& options, const StudyP
   std::vector<trace::Study> results =
       results_of("overlap", "float", "times as long as wide",
                  "all axes in long double, " + std::to_string(grid.cases) +
-                     " pairs of boxes a point, seed " + std::to_string(options.seed),
+                     " pairs of boxes a point" + options.seeded(),
                  {{"false_positives", "How many pairs a bound lets through that do not overlap",
                    "share of the passing pairs that are apart", "", 0.5 / grid.cases}});
   std::mt19937_64 engine(options.seed);
@@ -190,8 +190,7 @@ std::vector<trace::Study> study_thresholds(const StudyOptions& options,
   std::vector<trace::Study> results = results_of(
       "overlap", "float and double", "sine up to which axes are skipped",
       "all axes in long double, " + std::to_string(cases) +
-          " pairs of nearly parallel boxes, sides of 0.2 to 2 m, seed " +
-          std::to_string(options.seed),
+          " pairs of nearly parallel boxes, sides of 0.2 to 2 m" + options.seeded(),
       {{"threshold", "Skip too few cross products and overlaps are missed, too many and gaps are",
         "overlap or gap that is missed (m)", "", kRoundingOfFloat},
        {"wrong", "How often skipping short cross products, or not, gives the wrong answer",
@@ -262,7 +261,7 @@ std::vector<trace::Study> study_boxes(const StudyOptions& options, const StudyPr
   std::vector<trace::Study> results =
       results_of("overlap", "double", "overlap, % of the shortest side",
                  "all axes in long double, " + std::to_string(grid.cases) +
-                     " pairs of boxes a point, seed " + std::to_string(options.seed),
+                     " pairs of boxes a point" + options.seeded(),
                  {{"boxes", "How often two ways to find the contact of two boxes are wrong",
                    "share of the pairs with a depth off by 5 % or more", "", 0.5 / grid.cases}});
   std::mt19937_64 engine(options.seed);
@@ -291,10 +290,9 @@ std::vector<trace::Study> study_boxes(const StudyOptions& options, const StudyPr
 
 /// Overlap tests of bounding volumes and boxes, in four results.
 ///
-/// "false_positives": for random boxes of 1:1:1, 3:1:1 and 10:1:1 placed where their bounds could
-/// overlap, the share of passing pairs that are separated, against the time of a test: AABBs,
-/// spheres, oriented boxes by their six face normals and by all axes. An overlapping pair that does
-/// not pass counts as failed; there is none.
+/// "false_positives": for random boxes of 1:1:1, 3:1:1 and 10:1:1 near each other, the share of
+/// passing pairs that are separated, against the time of a test: AABBs, spheres, oriented boxes by
+/// six face normals and by all axes. No overlapping pair fails to pass.
 ///
 /// "threshold": for nearly parallel oriented boxes, the deepest overlap, metres, reported as
 /// separated and the widest gap reported as overlap, over the sine up to which cross products of

@@ -1,5 +1,5 @@
 #include "query/penetration.h"
-#include "study/depth_peer.h"
+#include "study/peers.h"
 #include "study/study.h"
 
 namespace contactscope {
@@ -120,23 +120,19 @@ void judge_peer(const DepthPeer& peer, const HullCases& cases, Measurement& meas
 /// Depth and normal of the penetration methods, in float and double, over six efforts, the
 /// parameter. EPA and MPR: by tolerance, 0.1 of the pair's length scale, 0.01, ... 1e-5, and the
 /// rounding limit, or by maximum iterations, 2, 4, ... 64. Sampling: by the number of directions,
-/// 8, 32, ... 8192, with the local search until convergence and with one round of it. The
-/// separating axis test is the same at every effort.
+/// 8, 32, ... 8192, with the local search until convergence and with one round of it.
 ///
 /// Cases are those of `study hull_precision` with 32 vertices; in every other one the centroids'
 /// distance is at least halved. Two measures against extended precision over all axes: the depth's
-/// error over the size of the hulls, and the angle between the normals in radians (if two axes are
-/// nearly as deep, a small depth error is a large normal error). A third, "unfinished": share of
-/// pairs whose status was not Converged.
+/// error over the size, and the angle between the normals in radians (large if two axes are nearly
+/// as deep). A third, "unfinished": share of pairs whose status was not Converged.
 ///
 /// The worst error of sampling may grow with the number of directions, since the search about the
-/// best one is local: the worst pair's best direction lies next to a wrong facet, and other
-/// directions lead elsewhere. Without that search ("one round") the error decreases throughout.
+/// best one is local and may end at a wrong facet. Without it ("one round") the error decreases.
 ///
-/// A call fails if it finds no depth, or one that is too small by more than rounding, so that
-/// moving by it would not separate the hulls. Reaching the iteration limit is not a failure: that
-/// is what is studied. Bullet and libccd, if their program is found (depth_peer.h), are a point each,
-/// at the highest effort.
+/// A call fails if it finds no depth, or one that is too small by more than rounding: moving by it
+/// would not separate the hulls. Reaching the iteration limit is no failure. Bullet and libccd, if
+/// their program is found (peers.h), are a point each, at the highest effort.
 std::vector<trace::Study> study_penetration(const StudyOptions& options,
                                             const StudyProgress& progress) {
   const StudyGrid grid(options, kDepthSeries, kEfforts, kDepthCases, kDepthRepetitions);
@@ -144,8 +140,8 @@ std::vector<trace::Study> study_penetration(const StudyOptions& options,
 
   std::vector<trace::Study> results =
       results_of("penetration", "float and double", "effort",
-                 "extended precision, " + std::to_string(grid.cases) + " overlapping pairs, seed " +
-                     std::to_string(options.seed) +
+                 "extended precision, " + std::to_string(grid.cases) + " overlapping pairs" +
+                     options.seeded() +
                      "; efforts: tolerance 0.1, 0.01, 0.001, 1e-4, 1e-5, 0; 2, 4, 8, 16, 32, 64 "
                      "iterations; 8, "
                      "32, 128, 512, 2048, 8192 directions",

@@ -8,11 +8,9 @@ namespace {
 constexpr double kHalf = 0.5;   // metres, of both cubes
 constexpr double kDeep = 0.03;  // metres, of the lower edge of B below the upper face of A
 constexpr int kFirst = 520, kLast = 720, kStep = 2;  // millimetres, along A's face
-
 constexpr double kTurn = 12;  // degrees about the vertical, so that edges cross
 
-/// Cube B is tilted over its lower edge, whose middle is deep in the upper face of A, `along` A's
-/// middle.
+/// Cube B, tilted over its lower edge, whose middle is deep in A's upper face, `along` A's middle.
 Pose<double> pose_of_b(double along, double degrees) {
   constexpr double kDegree = std::numbers::pi / 180;
   const Quatd tilted(Eigen::AngleAxisd(degrees * kDegree, Vec3d::UnitX()));
@@ -49,13 +47,10 @@ std::vector<trace::Study> study_phase(const StudyOptions&, const StudyProgress& 
     for (int degrees = 0; degrees <= 90; ++degrees) {
       trace::StudySeries& row = results[0].series.emplace_back(
           trace::StudySeries{panel, {}, panel, results[0].parameter, double(degrees)});
-      for (int along = kFirst; along <= kLast; along += kStep)
-        row.points.push_back({double(along),
-                              features_of(cube, 1e-3 * along, degrees, preference),
-                              std::nullopt,
-                              {},
-                              0,
-                              1});
+      for (int along = kFirst; along <= kLast; along += kStep) {
+        const double features = features_of(cube, 1e-3 * along, degrees, preference);
+        row.points.push_back({double(along), features, {}, {}, 0, 1});
+      }
     }
   }
   return results;

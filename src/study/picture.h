@@ -2,9 +2,8 @@
 
 #include "trace/study.h"
 
-/// Plots of studies. The title is the result, with numbers read from the study itself, so they
-/// match its run. Methods have readable names, and unimportant series are omitted; files and tables
-/// keep every number.
+/// Plots of studies. The title is the result, with numbers read from the study itself. Methods have
+/// readable names, and unimportant series are omitted; files and tables keep every number.
 namespace contactscope {
 
 /// Converts a measured study into the one to draw, by its row in pictures.cpp; without a row it is
@@ -38,8 +37,7 @@ std::string power(double value);
 
 inline constexpr bool kQuiet = true;
 
-/// A method or panel of a study, and its name in the picture. A name that ends in '*' means all
-/// that begin like it.
+/// A method or panel of a study, and its name in the picture. "from*": all that begin like it.
 struct Kept {
   std::string from, to;
   bool quiet = false;         // thin and grey: a reference for the others

@@ -8,9 +8,8 @@ namespace contactscope {
 __extension__ using Wide = __int128;
 
 /// Textbook baseline for the exact test: every edge of each triangle against the other, by signs of
-/// volumes in plain floating point. Volumes up to `epsilon`, metres, times an area count as zero;
-/// with 0 it trusts the signs. Shares no code with the exact test, which compares intervals on the
-/// line of both planes.
+/// volumes. Volumes up to `epsilon`, metres, times an area count as zero; with 0 it trusts the
+/// signs. Shares no code with the exact test.
 ///
 /// In whole numbers (std::int64_t) it is exact while differences of coordinates are below 2^26: a
 /// product of a normal and a cross product then fits into 128 bits.
@@ -25,8 +24,7 @@ template <class S> class PlainTriangleTest {
     return false;
   }
 
-  /// Proper if an edge crosses the other's interior, Touching if they share a point otherwise; does
-  /// not detect coplanar triangles.
+  /// Proper if an edge crosses the other's interior, else Touching; not for coplanar triangles.
   TriangleOverlapKind kind(const Triangle<S>& a, const Triangle<S>& b) const {
     TriangleOverlapKind found = None;
     for (std::size_t k = 0; k < 3; ++k)

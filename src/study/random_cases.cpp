@@ -73,7 +73,6 @@ ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count) {
   const double downhill = uniform(engine, 0, 2 * std::numbers::pi);
   Pose<double> pose{uniform_rotation(engine), {}};
   for (int axis = 0; axis < 3; ++axis) pose.position[axis] = uniform(engine, -5, 5);
-
   ContactPolygon polygon;
   const Vec3d normal = pose.rotation * Vec3d::UnitZ();
   polygon.normal = normal.cast<float>();

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <random>
-
 #include "core/random.h"
 #include "geometry/mesh.h"
 #include "manifold/pair_cache.h"
@@ -38,8 +36,7 @@ ContactPolygon elliptical_polygon(std::mt19937_64& engine, int count);
 ContactPolygon neighbouring_frame(const ContactPolygon& polygon, double part,
                                   std::mt19937_64& engine);
 
-/// The contacts of two flat faces: all at the mean depth, up to some float roundings of the
-/// positions.
+/// The contacts of two flat faces: all at the mean depth, up to some roundings of the positions.
 ContactPolygon levelled(const ContactPolygon& polygon, std::mt19937_64& engine);
 
 struct OverlappingHulls {

@@ -8,15 +8,12 @@ constexpr int kPointCounts[] = {5, 6, 8, 12, 16, 32};
 constexpr int kKept = 4;
 constexpr int kCases = 2000;
 constexpr int kRepetitions = 25;
-// Areas and distances are computed in double from coordinates within 6 m and patches of at least
-// 0.02 m; smaller errors are rounding.
+// In double, from coordinates within 6 m, for patches of 0.02 m or more: less is rounding.
 constexpr double kRounding = 1e-12;
-// Float coordinates of that size have errors of some 1e-7 m, so a method cannot decide between two
-// choices that differ by less.
+// Such float coordinates have errors of some 1e-7 m: choices that differ by less are equal.
 constexpr double kResolution = 1e-6;
 
-// Frames that a reducer with memory has seen before, and their spacing: the motion of a body that
-// comes to rest. See neighbouring_frame().
+// Frames that a reducer with memory has seen, and their spacing: a body that comes to rest.
 constexpr int kFramesBefore = 8;
 constexpr double kMoveOfFrame = 0.01;
 
@@ -103,8 +100,7 @@ trace::ReducerAnswer judge(const KeptIndices& kept, const ContactPolygon& polygo
 /// "flat", from the same polygons with all points equally deep up to rounding (levelled()).
 ///
 /// A reducer that uses the previous frame (coherent) has two lines: after eight frames, each a
-/// hundredth of the patch from the next (neighbouring_frame()), and "..., first frame", without
-/// ids.
+/// hundredth of the patch from the next, and "..., first frame", without ids.
 ///
 /// "area": 1 - area / area of the best four points, in [0, 1]. The best polygon is found by dynamic
 /// programming in double over the corners of the hull (best_convex_area()), exact up to rounding.
@@ -117,9 +113,8 @@ std::vector<trace::Study> study_reducers(const StudyOptions& options,
   const std::vector<Method> all = methods();
   const StudyGrid grid(options, all, kPointCounts, kCases, kRepetitions);
 
-  const std::string cases_spelled = std::to_string(grid.cases) +
-                                    " elliptical polygons a point, seed " +
-                                    std::to_string(options.seed);
+  const std::string cases_spelled =
+      std::to_string(grid.cases) + " elliptical polygons a point" + options.seeded();
   std::vector<trace::Study> results =
       results_of("reducers", "float", "points", "all points, " + cases_spelled,
                  {{"area", "What each reducer loses of the contact area",

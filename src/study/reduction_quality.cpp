@@ -53,8 +53,7 @@ double lost_reach(const std::vector<Vec2d>& all, std::span<const int> kept) {
 /// Collinear kept points, up to rounding, do not determine the slope across their line.
 constexpr double kFlat = 1e-12;
 
-/// Separation as a linear function of position, fitted to the kept points; with the smallest slope
-/// if it is not unique.
+/// Separation as a linear function of position, fitted to the kept points, with the smallest slope.
 double depth_error(const std::vector<Vec2d>& places, const std::vector<double>& separations,
                    std::span<const int> kept) {
   // Relative to the mean position and depth, in units of the radius, so that the rank shows.

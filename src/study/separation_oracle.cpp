@@ -34,8 +34,7 @@ Real segment_to_segment(const std::pair<Vec, Vec>& one, const std::pair<Vec, Vec
   const Real best =
       std::min({point_to_segment(one.first, other), point_to_segment(one.second, other),
                 point_to_segment(other.first, one), point_to_segment(other.second, one)});
-  const Vec along = one.second - one.first;
-  const Vec across = other.second - other.first;
+  const Vec along = one.second - one.first, across = other.second - other.first;
   const Vec normal = along.cross(across);
   const Real squared = normal.squaredNorm();
   if (!(squared > kParallel * kParallel * along.squaredNorm() * across.squaredNorm())) return best;
@@ -44,8 +43,7 @@ Real segment_to_segment(const std::pair<Vec, Vec>& one, const std::pair<Vec, Vec
   return std::min(best, point_to_segment(Vec(one.first + s * along), other));
 }
 
-/// Edges of the loops, without duplicates: each runs from a lower to a higher index in one of its
-/// two faces.
+/// Edges of the loops, once: each runs from a lower to a higher index in one of its faces.
 Core make_core(std::vector<Vec> vertices, const std::vector<std::vector<int>>& loops) {
   Core core;
   for (const std::vector<int>& loop : loops) {
@@ -79,8 +77,7 @@ OracleBody make_body(const Shape<S>& shape, const Mat3<Real>& turn, const Vec& p
     body.cores = {{{center}, {{center, center}}, {}, {}, sphere->radius}};
     body.reach += body.cores[0].radius;
   } else if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) {
-    const Vec from = placed(capsule->points[0]);
-    const Vec to = placed(capsule->points[1]);
+    const Vec from = placed(capsule->points[0]), to = placed(capsule->points[1]);
     body.cores = {{{from, to}, {{from, to}}, {}, {}, capsule->radius}};
     body.reach += body.cores[0].radius;
   } else if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
@@ -90,11 +87,10 @@ OracleBody make_body(const Shape<S>& shape, const Mat3<Real>& turn, const Vec& p
     for (int f = 0; f < hull->face_count(); ++f) loops.push_back(face_vertices(*hull, f));
     body.cores = {make_core(std::move(vertices), loops)};
   } else if (const auto* mesh = std::get_if<Mesh<S>>(&shape)) {
-    for (int t = 0; t < mesh->triangle_count(); ++t) {
+    for (int t = 0; t < mesh->triangle_count(); ++t)
       body.cores.push_back(make_core(
           {placed(mesh->corner(t, 0)), placed(mesh->corner(t, 1)), placed(mesh->corner(t, 2))},
           {{0, 1, 2}, {2, 1, 0}}));
-    }
   } else {
     const Plane<S>& plane = std::get_if<HalfSpace<S>>(&shape)->plane;
     const Vec own = plane.normal.template cast<Real>();
@@ -322,8 +318,7 @@ double SeparationOracle::separation_along(const Vec3d& normal, int triangle) con
   return static_cast<double>(along(direction, a, b) - a.radius - b.radius);
 }
 
-template double box_separation(const Obb<float>&, const Obb<float>&);
-template double box_separation(const Obb<double>&, const Obb<double>&);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(box_separation);
 template SeparationOracle::SeparationOracle(const Shape<float>&, const Pose<float>&,
                                             const Shape<float>&, const Pose<float>&);
 template SeparationOracle::SeparationOracle(const Shape<double>&, const Pose<double>&,

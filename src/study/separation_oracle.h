@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/obb.h"
 #include "geometry/shape.h"
 
@@ -23,9 +22,8 @@ struct OracleAxis {
 /// are recomputed from the vertices.
 OracleAxis oracle_axis(const Hull<double>& a, const Hull<double>& b, const Pose<double>& b_in_a);
 
-/// The largest separation of two boxes over their fifteen axes, metres, negative if overlapping. A
-/// cross product whose direction long double cannot represent is shorter than 1e-16, and faces give
-/// the separation that precisely.
+/// The largest separation of two boxes over their fifteen axes, metres, negative in overlap. Cross
+/// products too short for long double are below 1e-16, where faces suffice.
 template <class S> double box_separation(const Obb<S>& a, const Obb<S>& b);
 
 /// A placed shape for the oracle.
@@ -66,8 +64,7 @@ class SeparationOracle {
   double separation() const;
 
   /// Along a normal from A to B, metres: at most separation() up to rounding, equal along a normal
-  /// of least overlap. `triangle` is the mesh's, or -1. A plane only has its own normal: others are
-  /// penalised by their deviation.
+  /// of least overlap. `triangle`: the mesh's, or -1. A plane penalises normals other than its own.
   double separation_along(const Vec3d& normal, int triangle) const;
 
   /// Factor >= 1 by which the direction of a normal may magnify rounding. A normal between closest
@@ -75,8 +72,7 @@ class SeparationOracle {
   /// over that distance (+infinity if they meet). 1 for axes of faces and edges.
   double leverage() const;
 
-  /// Magnitude of the pair's coordinates, metres: the reach of each shape from its origin, plus the
-  /// distance between the origins.
+  /// Magnitude of the coordinates, metres: each shape's reach, plus the distance of their origins.
   double scale() const { return static_cast<double>(scale_); }
 
  private:

@@ -7,8 +7,8 @@
 namespace contactscope {
 namespace {
 
-constexpr double kHalf = 0.5;  // metres, half a box's edge
-constexpr double kGravity = 9.81;
+constexpr double kHalf = 0.5;      // metres, half a box's edge
+constexpr double kGravity = 9.81;  // metres per second squared
 constexpr float kFrame = 1.0f / 60;
 constexpr int kRestFrames = 60;  // the last frames, used to judge rest
 
@@ -109,11 +109,10 @@ class StandingStack {
   }
 
   StackFault fault() const {
-    for (const Body<float>& body : world_.bodies) {
+    for (const Body<float>& body : world_.bodies)
       if (!body.center.allFinite() || !body.velocity.allFinite() ||
           !body.angular_velocity.allFinite() || !body.rotation.coeffs().allFinite())
         return StackFault::NotFinite;
-    }
     if (energy() > most_energy_) return StackFault::Energy;
     for (std::size_t i = 1; i < world_.bodies.size(); ++i) {
       const Vec3d here = world_.bodies[i].center.cast<double>();
@@ -200,7 +199,6 @@ StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frame
 
 namespace {
 
-constexpr double kPull = 9.81;  // metres per second squared
 constexpr double kStep = 1.0 / 60;
 
 /// A body of a scene; of mass 0: it does not move.
@@ -269,7 +267,7 @@ EnergyScene stack(const char* name, const std::vector<double>& masses, double ov
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const double level = static_cast<double>(i), sunk = (level + 1) * overlap;
     parts.push_back(cube(0.5 + level - sunk, masses[i]));
-    lift += masses[i] * kPull * sunk;
+    lift += masses[i] * kGravity * sunk;
   }
   return on_floor(name, parts, {.lift = lift});
 }
@@ -293,9 +291,9 @@ std::vector<EnergyScene> energy_scenes() {
       on_floor("brick from 2 m", {box(brick, {0, 2.5, 0}, 1, 0.7)}),
       on_floor("lively brick", {box(brick, {0, 2.5, 0}, 1, 0.7)}, {.restitution = 0.8}),
       on_floor("elastic box", {cube(2.5, 1)}, elastic),
-      on_floor("deep box", {cube(0.1, 1)}, {.lift = kPull * 0.4}),
-      on_floor("deep brick", {box(brick, {0, 0.1, 0}, 1, 0.7)}, {.lift = kPull * 0.5}),
-      on_floor("deep on a box", {cube(0.5, 1), cube(1.1, 1)}, {.lift = kPull * 0.4}),
+      on_floor("deep box", {cube(0.1, 1)}, {.lift = kGravity * 0.4}),
+      on_floor("deep brick", {box(brick, {0, 0.1, 0}, 1, 0.7)}, {.lift = kGravity * 0.5}),
+      on_floor("deep on a box", {cube(0.5, 1), cube(1.1, 1)}, {.lift = kGravity * 0.4}),
       on_floor("deep side by side", {cube(0.5, 1), cube(0.5, 1, 0.6)}),
       weightless("deep and weightless", {box(half, {0, 0, 0}, 1, 0, {0, 2, 0.5}),
                                          box(half, {0.6, 0.1, 0}, 1, 0.1, {0, -2, 0})}),

@@ -8,8 +8,7 @@
 
 namespace contactscope {
 
-/// Cubes of one metre stacked on a plane, as exact numbers; none leans so far that it could not
-/// stand forever.
+/// Cubes of one metre stacked on a plane; none leans so far that it could not stand forever.
 struct StackPlan {
   struct Box {
     double x = 0, z = 0;  // metres, horizontal position of the centre
@@ -19,8 +18,7 @@ struct StackPlan {
   std::vector<Box> boxes;  // from bottom to top
 };
 
-/// `count` (>= 1) boxes of 1 kg, the highest of `ratio` kg; each up to 2% of its width off centre
-/// and rotated by up to 0.1 radians.
+/// `count` >= 1 boxes of 1 kg, the highest of `ratio` kg; up to 2% off centre, 0.1 radians turned.
 StackPlan stack_plan(std::mt19937_64& engine, int count, double ratio);
 
 /// How a stack failed.

@@ -176,8 +176,7 @@ std::vector<trace::Study> curves(const CurveStack& stack, const StudyOptions& op
   return stacks.finished();
 }
 
-/// Catto 2007, "Manifold Reduction": what the points beyond the fourth cost, and what each of the
-/// first four is worth.
+/// Catto 2007, "Manifold Reduction": what points beyond the fourth cost, what the others are worth.
 std::vector<trace::Study> by_points(const StudyOptions& options, const StudyStep& step) {
   constexpr int kPointCounts[] = {1, 2, 3, 4, 5, 6, 7, 8};
   StackResults stacks(options, kPointCases, "points kept", trace::StudyForm::Curves,

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <chrono>
-#include <mutex>
 
 #include "core/workers.h"
 #include "study/picture.h"
-#include "trace/study.h"
 
 namespace contactscope {
 
@@ -20,8 +18,8 @@ struct StudyOptions {
   const std::vector<Scenario>* scenarios = nullptr;  // for studies of scenarios
   std::vector<int> only_frames{};                    // of the scenarios; empty: all
   int threads = 0;  // for untimed work; 0: one per hardware thread. Does not affect errors
-
   int thread_count() const { return threads > 0 ? threads : hardware_threads(); }
+  std::string seeded() const { return ", seed " + std::to_string(seed); }
 };
 
 /// Called for each step, from any thread but never concurrently; may throw to stop the study.
@@ -76,8 +74,7 @@ inline StudyStep counted(const StudyProgress& progress, int total) {
 /// Times of one method, nanoseconds per call, one per repetition.
 class PassTimes {
  public:
-  /// Times `calls` calls of `call(i)`, i = 0 .. calls - 1. Uses their results, so that the compiler
-  /// cannot remove them.
+  /// Times `calls` calls of `call(i)`, and uses their results, so that they are not optimised away.
   template <class Call> void measure(int calls, const Call& call) {
     double used = 0;
     const auto begin = std::chrono::steady_clock::now();
@@ -106,7 +103,6 @@ struct Measurement {
   PassTimes times{};
   int failed = 0;  // cases without an error
   int of = 0;
-
   explicit Measurement(std::size_t measures, int cases = 0) : errors(measures), of(cases) {}
   trace::StudyPoint point(double parameter, std::size_t measure) const;
 };

@@ -10,8 +10,7 @@ constexpr int kDistances[] = {1, 4, 16, 64, 256, 1024, 4096, 16384, 65536, 26214
 constexpr int kTrianglePairs = 20000;
 constexpr int kTriangleRepetitions = 5;
 
-/// Two triangles near one plane, whose corners are whole multiples of a unit and exact in float,
-/// and whether they share a point.
+/// Two triangles near one plane, corners whole multiples of a unit, and whether they share a point.
 struct NearlyCoplanar {
   Triangle<std::int64_t> a, b;
   bool overlap;
@@ -125,8 +124,7 @@ constexpr AnsweringTest kAnsweringTests[] = {{"float", "2⁻²⁴ m", &plain_ans
                                              {"double", "2⁻⁵³ m", &plain_answer<double>},
                                              {"exact", "2⁻⁵³ m", &exact_answer}};
 
-/// Rounds a number below 32 to a fixed number of binary digits, so that differences of two are
-/// exact.
+/// Rounds a number below 32 to a fixed number of digits, so that differences are exact.
 template <class S> S in_all_digits(double number) {
   constexpr int kDigits = std::numeric_limits<S>::digits - 5;
   return static_cast<S>(std::ldexp(std::nearbyint(std::ldexp(number, kDigits)), -kDigits));
@@ -172,20 +170,18 @@ trace::Study triangle_answers() {
   return study;
 }
 
-template std::array<Triangle<float>, 2> nearly_touching(int, int);
-template std::array<Triangle<double>, 2> nearly_touching(int, int);
+CONTACTSCOPE_FLOAT_AND_DOUBLE(nearly_touching);
 
 /// Pairs of triangles, one with its corners within a few units in the last place of the other's
 /// plane: share of wrong answers to whether they share a point, at three sizes. The reference uses
-/// integers, from which the corners are made. Also a map of one corner's last bits, see
-/// plain_triangle_test.h.
+/// integers. Also a map of one corner's last bits, see plain_triangle_test.h.
 std::vector<trace::Study> study_triangles(const StudyOptions& options,
                                           const StudyProgress& progress) {
   StudyGrid grid(options, kTriangleMethods, kDistances, kTrianglePairs, kTriangleRepetitions);
   std::vector<trace::Study> results = results_of(
       "triangle_triangle", "float", "units in the last place",
       "every edge against the other triangle in whole numbers, " + std::to_string(grid.cases) +
-          " pairs a point, seed " + std::to_string(options.seed),
+          " pairs a point" + options.seeded(),
       {{"wrong", "Triangles near one plane: how often a test is wrong, and what never is",
         "share of wrong answers", "", 0.5 / grid.cases}},
       trace::StudyForm::Curves);

@@ -217,7 +217,7 @@ std::vector<trace::Study> study_tunnelling(const StudyOptions& options,
   std::vector<trace::Study> results = results_of(
       "tunnelling", "float", "m/s",
       "where the bullet is beyond the wall, " + std::to_string(count) +
-          " bullets a point, 60 steps a second, seed " + std::to_string(options.seed),
+          " bullets a point, 60 steps a second" + options.seeded(),
       {{"passed", "Bullets that pass a wall: none that is swept", "share of the bullets", "",
         0.5 / count},
        {"early", "How far from the wall a bullet is stopped", "distance when stopped", "m", 1e-6}},
@@ -264,13 +264,13 @@ std::vector<trace::Study> study_impact_finders(const std::vector<ImpactFinderInf
        {.turn = kFullTurn},
        &ImpactMotion::origin}};
   const int count = options.cases.value_or(kImpactCases);
-  std::vector<trace::Study> results = results_of(
-      "time_of_impact", "float and double", "metres in the step",
-      "steps as long as the largest separation allows, in double, " + std::to_string(count) +
-          " pairs of hulls of " + std::to_string(kImpactVertices) + " vertices a point, seed " +
-          std::to_string(options.seed),
-      {{"error", "How far off the time of impact is", "fraction of the step", "", 1e-7},
-       {"missed", "How many hits are missed", "share of the pairs", "", 0.5 / count}});
+  std::vector<trace::Study> results =
+      results_of("time_of_impact", "float and double", "metres in the step",
+                 "steps as long as the largest separation allows, in double, " +
+                     std::to_string(count) + " pairs of hulls of " +
+                     std::to_string(kImpactVertices) + " vertices a point" + options.seeded(),
+                 {{"error", "How far off the time of impact is", "fraction of the step", "", 1e-7},
+                  {"missed", "How many hits are missed", "share of the pairs", "", 0.5 / count}});
   results[1].form = trace::StudyForm::Curves;
   std::size_t steps = 0;
   for (const ImpactPanel& panel : panels) steps += panel.values.size();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "lint/linter.h"
-#include "trace/json.h"
 
 namespace contactscope::versus {
 

@@ -3,9 +3,8 @@
 #include "lint/claims.h"
 #include "trace/json.h"
 
-/// An engine is a program `contactscope-engine-NAME`: it reads a trace without contacts from
-/// standard input and writes the same frames with its contacts to standard output. See
-/// src/versus/README.md.
+/// An engine is a program `contactscope-engine-NAME`: it reads a trace without contacts and writes
+/// the same frames with its contacts. See src/versus/README.md.
 namespace contactscope::versus {
 
 /// Keeps the pairs to query engines for: the first of several with different settings of this
@@ -15,8 +14,7 @@ void keep_queried_pairs(trace::Frame& frame);
 /// A request to an engine: the shapes, poses and pairs of a trace without contacts.
 trace::Trace request_of(const trace::Trace& whole);
 
-/// This program's contacts for a request, in double with default settings, for use without a
-/// scenario.
+/// This program's contacts for a request, in double with default settings.
 trace::Trace own_contacts(const trace::Trace& request);
 
 /// As JSON lines.
@@ -25,13 +23,11 @@ std::string to_text(const trace::Trace& trace);
 /// Ground truth of a pair in a frame, independent of engines.
 struct Truth {
   std::string a, b;
-  /// Metres between the shapes, negative: penetration along the direction of least overlap. Empty
-  /// if it cannot be computed, as for two meshes.
+  /// Metres between the shapes, negative: least overlap. Empty if unknown, as for two meshes.
   std::optional<double> separation;
   double tolerance = 0;  // metres: within it of touching, either answer is right
   /// Contact patch of two convex shapes before reduction, m^2; 0 for a point or a line.
   double area = 0;
-
   bool touches() const { return separation && *separation < -tolerance; }
   bool is_separated() const { return separation && *separation > tolerance; }
 };

@@ -22,8 +22,7 @@ struct RolloutBody {
 /// below it bears it. A gap of up to 1 % of the smaller shape counts as contact.
 std::vector<RolloutBody> rollout_bodies(const trace::Trace& request);
 
-/// One engine's rollout, compared with exact geometry. Lists have an entry per reported frame, in
-/// order; metres, joules, seconds.
+/// One engine's rollout against exact geometry. Lists: per reported frame; metres, joules, seconds.
 struct RolloutScore {
   std::string name;
   std::string failure;  // of the engine; or a body is lost or missing

@@ -1,5 +1,5 @@
 // contactscope-depth-peers: Bullet and libccd as peers of the studies `penetration` and
-// `hull_precision`. src/study/depth_peer.h documents its input and output.
+// `hull_precision`. src/study/peers.h documents its input and output.
 #include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
 #include <BulletCollision/NarrowPhaseCollision/btPolyhedralContactClipping.h>

@@ -1,5 +1,5 @@
 // contactscope-field-openvdb: OpenVDB as a peer of the study `distance_field`, on one thread.
-// src/study/field_peer.h documents its input and output.
+// src/study/peers.h documents its input and output.
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/GridOperators.h>
 #include <openvdb/tools/Interpolation.h>

@@ -1,4 +1,4 @@
-#include "study/depth_peer.h"
+#include "study/peers.h"
 
 #include <gmock/gmock.h>
 

@@ -2,15 +2,11 @@
 
 #include <cstring>
 
-#include "core/pose.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
 #include "manifold/contact_depth.h"
 #include "manifold/fast/clip_rectangle.h"
 #include "query/fast/box_edges.h"
-#include "query/fast/box_pair.h"
-#include "query/tolerance.h"
-#include "reduce/reducer.h"
 
 /// The face contact of two boxes: the incident face at the support vertex, clipped against the
 /// sides of the reference face. Bit for bit the result of create_face_contact() for any two hulls.
@@ -168,8 +164,7 @@ template <class S> struct EightSums {
   Three<S> of[2];
 };
 
-/// The incident face at the support vertex, see incident_face(). `along`: cosines of the reference
-/// normal with the other box's axes.
+/// See incident_face(). `along`: cosines of the reference normal with the other box's axes.
 template <class S>
 [[gnu::always_inline]] inline int incident_at(int support, const Vec3<S>& along) {
   int best = 0;
@@ -217,8 +212,7 @@ template <class Vertices, class P>
   for (std::size_t i = 0; i < 4; ++i) corners[i] = vertices[kBox.origin(ring[i])];
 }
 
-/// The side planes of a face of a box about the origin. They are faces of the box, so they need no
-/// computation.
+/// The side planes of a face of a box about the origin: faces of the box itself.
 template <class S>
 [[gnu::always_inline]] inline void lay_sides(const Three<S>& half, int face,
                                              RectanglePair<S>& rectangles) {
@@ -293,11 +287,10 @@ template <class S>
 /// The edges of each face's ring, as indices into kEdgeRefs: A's faces, then B's.
 inline constexpr std::array<std::array<std::uint8_t, 4>, 12> kRingEdges = [] {
   std::array<std::array<std::uint8_t, 4>, 12> edges{};
-  for (std::size_t face = 0; face < 12; ++face) {
+  for (std::size_t face = 0; face < 12; ++face)
     for (std::size_t i = 0; i < 4; ++i)
       edges[face][i] =
           static_cast<std::uint8_t>(kBox.face_ring[face % 6][i] / 2 + (face < 6 ? 0 : 12));
-  }
   return edges;
 }();
 

@@ -22,8 +22,7 @@ template <class S>
 inline constexpr auto kAsDistance =
     [](const Three<S>& x, const Three<S>& y, const Three<S>& z) { return dot_sum<S>(x, y, z); };
 
-/// The lowest vertex of a box along a normal, the earliest among equals. `sum` adds the three terms
-/// of a height.
+/// The lowest vertex of a box along a normal, the first of equals. `sum` adds a height's terms.
 template <class S, class Sum>
 [[gnu::always_inline]] inline int lowest_vertex(const Three<S>& terms, S offset, const Sum& sum) {
   const S x = terms[0], y = terms[1], z = terms[2];
@@ -34,8 +33,7 @@ template <class S, class Sum>
   return std::countr_zero(lane_bits<S>(low == least) | lane_bits<S>(high == least) << 4 | 0x80U);
 }
 
-/// Indices into boxes::kEdgeRefs, in the order of a ring. A is the box, B the triangle: its front
-/// and its back, numbered as in TriangleHull.
+/// Indices into boxes::kEdgeRefs, in the order of a ring. A: the box; B: the triangle's two faces.
 using EdgePlaces = std::array<std::uint8_t, 4>;
 constexpr std::array<EdgePlaces, 2> kTriangleRings = {{{12, 13, 14}, {12, 14, 13}}};
 
@@ -114,9 +112,8 @@ template <class S>
   return face_of_triangle(*triangle_, face, kAsDistance<S>, contact);
 }
 
-/// create_face_contact() for the triangle's face and the box's incident face at its lowest vertex,
-/// with heights added by `sum`. The box's rectangle is clipped against three sides and a fourth
-/// that excludes nothing.
+/// create_face_contact() for the triangle's face and the box's incident face at its lowest vertex:
+/// its rectangle is clipped against three sides and a fourth that excludes nothing.
 template <class S>
 template <class Sum>
 [[gnu::always_inline]] inline bool BoxOnTriangles<S>::face_of_triangle(

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/mesh.h"
 #include "manifold/collide_options.h"
 #include "manifold/contact.h"
 #include "query/fast/box_triangle_sat.h"

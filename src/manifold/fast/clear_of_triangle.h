@@ -50,7 +50,6 @@ template <class S> class ClearOfTriangle {
     const S clearly = hull_.is_box() ? separation : kSharp * separation + other_axes_;
     const bool is_outside = (boxes::lane_bits<S>(gaps > clearly) & 7U) != 0;
     if (is_outside && !hull_.is_box()) return true;
-
     const Three normal = turned(mesh_.normal(triangle));
     const Three heights = normal * corners[0];
     const S height = heights[0] + heights[1] + heights[2];

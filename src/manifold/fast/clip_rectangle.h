@@ -16,8 +16,7 @@
 ///     out     0  1  1  0  0        r: the last of the run, whose edge comes back
 ///            e^    r^              p0 [crossing of e] [crossing of r] p3 p4
 ///
-/// Bit operations find both edges and splice the list. The list may rotate, as long as its first
-/// corner is known. Positions are not moved.
+/// Bit operations find both edges and splice the list, which may rotate. Positions are not moved.
 namespace contactscope::boxes {
 
 /// Two rectangles. A triangle lacks the fourth corner, or has a fourth side that excludes nothing.
@@ -32,7 +31,6 @@ template <class S> struct RectanglePair {
 /// incident face (below 4) or sides (4 + side), both in the order of their rings.
 template <class S> struct ClippedRectangle {
   static constexpr int kPlaces = 4 + 2 * 4;  // a side makes two corners at most
-
   int place(int i) const { return static_cast<int>(list >> (8 * i) & 15U); }
 
   int count = 0;
@@ -47,8 +45,7 @@ template <class S>
   return lane_bits<S>(distances > thickness) | lane_bits<S>(distances < -thickness) << 4;
 }
 
-/// The run of a list's corners that are outside one side; see above. Positions in a list are in
-/// bits, eight per corner.
+/// The run of a list's corners outside one side; see above. Positions: in bits, eight per corner.
 struct OutsideRun {
   int end;                       // end of the list
   int after;                     // the corner that follows the run

@@ -24,8 +24,7 @@ template <class S>
   contact.count = 1;
 }
 
-/// The same steps as collide_hull_hull(). Returns false where the caller must use that instead;
-/// `contact` is then undefined.
+/// The steps of collide_hull_hull(); false: use that instead, and `contact` is undefined.
 template <class S>
 [[gnu::always_inline]] inline bool collide(const Hull<S>& a, const Hull<S>& b,
                                            const Pose<S>& b_in_a, const CollideOptions& options,

@@ -1,19 +1,15 @@
 #pragma once
 
 #include "geometry/hull.h"
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
 #include "manifold/pair_cache.h"
 
 namespace contactscope {
 
 /// Fast path of collide() for two boxes (Hull::is_box) by the separating axis test, without a
-/// record or a cache: the same manifold, bit for bit, in a third of the time; none if separated.
-/// `manifolds` must be empty.
+/// record or a cache: the same manifold, bit for bit, in a third of the time. `manifolds` is empty.
 ///
-/// Returns false, with `manifolds` empty, where rounding would decide: two equally deep axes, a
-/// rotation that is not unit, a contact that needs another axis than the preferred one. The caller
-/// then uses collide_hull_hull().
+/// Returns false, with `manifolds` empty, where rounding would decide (equally deep axes, a
+/// rotation that is not unit, an axis other than the preferred one): use collide_hull_hull() then.
 template <class S>
 bool collide_box_box(const Hull<S>& a, const Pose<S>& pose_a, const Hull<S>& b,
                      const Pose<S>& pose_b, const CollideOptions& options,

@@ -46,8 +46,7 @@ struct Nearest {
   bool beyond_middle = false;  // the foot is in the second half of the axis
 };
 
-/// The squared distance between the points at s of A and t of B is a convex function over a square.
-/// The products give its slopes along s and t.
+/// The squared distance of the points at s of A and t of B is convex; the products give its slopes.
 ///
 ///     t = 1  c2--s3--c3      Two ends: a corner is the minimum if both slopes lead upwards from
 ///            s0      s1      it into the square. An end and its foot on the other axis: a side has

@@ -37,8 +37,7 @@ const char* to_string(ContactStatus status);
 struct Contacts {
   ContactStatus status = ContactStatus::Separated;
   std::vector<Manifold> manifolds{};  // one for convex shapes; one per direction for meshes
-  /// Separation of the deepest point, metres. For separated shapes: along the best axis if it was
-  /// recorded, else 0.
+  /// Separation of the deepest point, metres. Separated: along the best recorded axis, else 0.
   double separation = 0;
   Trace trace{};  // one frame if `record` was set, else empty
 };

@@ -56,8 +56,7 @@ class ShapeError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A shape prepared for collision: builds its hull and its bounding tree once. Copies share them;
-/// threads may share one.
+/// A shape prepared for collision: its hull and bounding tree. Copies and threads may share them.
 class Collider {
  public:
   /// Throws ShapeError: a length that is not positive, a number that is not finite, vertices

@@ -18,8 +18,7 @@ namespace contactscope::package {
 
 struct Comparison {
   bool ok = false;
-  /// Which point moved and how far, where the pictures are, and the remedy. If ok, empty unless a
-  /// snapshot was written.
+  /// Which point moved and how far, the pictures, and the remedy. If ok, only what was written.
   std::string message{};
 
   explicit operator bool() const { return ok; }

@@ -78,8 +78,7 @@ class Trace {
   int frame_count() const;
   Frame frame(int index) const;  // 0 <= index < frame_count()
 
-  /// Line at which the file breaks off because its writer died; all lines before it were read. 0 if
-  /// the file is complete.
+  /// Line at which the file breaks off because its writer died; 0 if the file is complete.
   int cut_off_in() const;
 
   struct Facts;

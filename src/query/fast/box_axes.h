@@ -38,8 +38,7 @@ template <class S, class Flags> [[gnu::always_inline]] inline bool all(const Fla
   }
 }
 
-/// Projections on three axes of any length: distance of the centres, and extent of each box to
-/// either side of its centre.
+/// Projections on three axes of any length: distance of the centres, and half extents.
 template <class S> struct Projections {
   Three<S> distance, reach_a, reach_b;
 

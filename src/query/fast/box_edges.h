@@ -2,10 +2,9 @@
 
 #include "query/fast/packed_vectors.h"
 
-/// Two crossing edges of boxes: their indices, their separation along the cross product, and their
-/// closest points. Bitwise equal to the results of query_edges() and closest_points() for hulls,
-/// with one register per vector. An edge of A is parallel to a coordinate axis, so its products are
-/// entries of the other vector.
+/// Two crossing edges of boxes: their indices, separation along the cross product, and closest
+/// points. Bitwise equal to query_edges() and closest_points() for hulls. An edge of A is parallel
+/// to a coordinate axis, so its products are entries of the other vector.
 namespace contactscope::boxes {
 
 template <class S> [[gnu::always_inline]] inline S dot(const Three<S>& a, const Three<S>& b) {
@@ -23,9 +22,8 @@ template <class S>
 }
 
 /// Two edges that are support features along the cross product of axis i of A and axis j of B, or
-/// along its opposite if `against`. The same as in the general path: A's half-edge is even, and B's
-/// runs in the direction of the arc of A's edge on the Gauss map, from the normal of its left face
-/// to the other (gauss_map.h).
+/// its opposite if `against`. As in the general path: A's half-edge is even, and B's runs in the
+/// direction of A's arc on the Gauss map, from the normal of its left face (gauss_map.h).
 struct CrossedEdges {
   int edge_a, edge_b;  // half-edges
 };
@@ -73,8 +71,7 @@ template <class S> struct EdgeMeasure {
   Three<S> middle;  // midpoint of their closest points
 };
 
-/// Measures edges_along(pair, i, j, against). `direction` is B's axis j, unit, and `over_sine` is 1
-/// over the sine of the edges' angle.
+/// Measures edges_along(pair, i, j, against). `direction`: B's axis j; `over_sine`: of the edges.
 template <class S>
 [[gnu::always_inline]] inline EdgeMeasure<S> measure(const BoxPair<S>& pair,
                                                      const CrossedEdges& edges, int i, int j,

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstring>
-
 #include "core/dot_order.h"
 #include "core/pose.h"
 #include "geometry/box_topology.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/manifold.h"
 #include "query/fast/box_edges.h"
 #include "query/sat.h"
 #include "query/tolerance.h"
@@ -8,12 +7,10 @@
 /// The separating axis test for two boxes: six faces and nine cross products (Gottschalk, Lin and
 /// Manocha 1996). The choice follows sat() for hulls (Gregorius 2015, "Hull vs Hull: The Separating
 /// Axis Test"). Face axes have bitwise equal separations. Edge axes are first estimated with an
-/// error bound, three per register; that suffices for most boxes, which touch with faces. An edge
-/// pair that wins is measured again as in sat().
+/// error bound, three per register. An edge pair that wins is measured again as in sat().
 ///
-/// If rounding would decide, the result is Undecided. The caller then takes the general path, where
-/// the result depends on the order of the axes. So both paths always agree, and this file does not
-/// depend on that order.
+/// If rounding would decide, the result is Undecided, and the caller takes the general path, which
+/// depends on the order of the axes. So both paths always agree.
 namespace contactscope::boxes {
 
 enum class Verdict {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/manifold.h"
 #include "geometry/box_topology.h"
 #include "geometry/mesh.h"
 #include "query/fast/packed_vectors.h"

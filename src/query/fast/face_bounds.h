@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pack.h"
 #include "core/static_vector.h"
 #include "query/fast/lane_search.h"
 #include "query/sat.h"
@@ -9,8 +8,7 @@
 /// and the edges that may beat it. Everything in A's frame, metres.
 namespace contactscope {
 
-/// Measures one face of `reference` as query_faces() does, bit for bit: the vertex of `other` that
-/// is deepest below it; the first on a tie.
+/// Measures one face as query_faces() does, bit for bit: the first deepest vertex of `other`.
 template <class S>
 inline FaceQuery<S> measure_face(const PlacedHull<S>& reference, int face,
                                  const PlacedHull<S>& other) {
@@ -39,10 +37,9 @@ inline FaceQuery<S> measure_face(const PlacedHull<S>& reference, int face,
   return {face, std::max(deepest.first, 0), least[0]};
 }
 
-/// Bounds of the separation of every face of one hull, from a few vertices of another. The
-/// separation of a face is the minimum distance of all vertices from its plane, so a single vertex
-/// gives an upper bound. One vertex near the contact shows that most faces are worse than those
-/// next to it.
+/// Bounds of the separation of every face of one hull, from a few vertices of another: a face's
+/// separation is the minimum over all vertices. One vertex near the contact shows that most faces
+/// are worse than those next to it.
 ///
 ///            v             v, a vertex of B, is slightly below the face f of A, and far below the
 ///       ____ . ____ f      planes of g and h. B's deepest vertices there are at least as deep as
@@ -61,8 +58,7 @@ template <class S> class FaceBounds {
         distances_(kMaxVertices * count_),
         bounds_(count_) {}
 
-  /// Lowers the bounds of all faces by some vertices of the other hull. Must be called before all
-  /// other functions.
+  /// Lowers the bounds of all faces by some vertices of the other hull. Call it first.
   template <int kVertices> void look_at(const int (&vertices)[kVertices]) {
     if (looked_at_ == 0)
       lower<kVertices, true>(vertices);

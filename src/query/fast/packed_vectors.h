@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/dot_order.h"
-#include "core/pose.h"
 #include "query/fast/box_pair.h"
 
 /// Three-vectors in one register each, with operations that are bitwise equal to Eigen's.

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstring>
-
-#include "core/pack.h"
 #include "core/static_vector.h"
-#include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "query/fast/lane_search.h"
 #include "query/hull_feature.h"
@@ -53,17 +49,14 @@ inline void for_each_with_bits(const int* values, int count, int bits, const Vis
   }
 }
 
-/// True if the sine of the angle between two face normals is at most `sine`, so that a tie between
-/// these faces hardly affects the normal.
+/// Whether two face normals are so nearly parallel that a tie hardly affects the normal.
 template <class S> bool face_the_same_direction(const Hull<S>& hull, int one, int other, S sine) {
-  const Vec3<S>& n = at(hull.planes, one).normal;
-  const Vec3<S>& m = at(hull.planes, other).normal;
+  const Vec3<S>&n = at(hull.planes, one).normal, &m = at(hull.planes, other).normal;
   return n.dot(m) > S(0) && n.cross(m).squaredNorm() <= sine * sine;
 }
 
-/// Signed distances of a point from all face planes of a hull, in the hull's frame, metres: the
-/// separating axis test of a point, with the faces as the only axes (Gregorius 2015, "Sphere vs
-/// Hull: Deep Penetration").
+/// Signed distances of a point from all face planes of a hull, hull's frame, metres (Gregorius
+/// 2015, "Sphere vs Hull: Deep Penetration").
 template <class S> class PointFaces {
  public:
   PointFaces(const Hull<S>& hull, const Vec3<S>& point)

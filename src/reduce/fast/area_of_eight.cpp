@@ -46,8 +46,7 @@ template <class S> [[gnu::always_inline]] inline int earliest(const Eight<S>& sc
                           1U << kEight);
 }
 
-/// Eight positions, one array per coordinate. Missing points repeat the first, which is the
-/// earliest among equals only at its own index.
+/// Eight positions, one array per coordinate. Missing points repeat the first, which is earlier.
 template <class S> struct Positions {
   Eight<S> x, y, z;
 
@@ -164,8 +163,7 @@ template <class S>
   kept.push_back(second);
   kept.push_back(third);
 
-  // If the ring third, first, second is clockwise, areas outside it are positive. The edge from
-  // first to second is already measured.
+  // If the ring third, first, second is clockwise, areas outside it are positive.
   const bool left =
       (bits_of<S>([](const P& area) { return area > P{}; }, doubled) >> third & 1U) != 0;
   const S clockwise = left ? S(-1) : S(1);
