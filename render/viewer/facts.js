@@ -44,10 +44,10 @@ class Facts {
   }
 
   /** What lint says of what is selected, first of all: in this frame, or in which others. */
-  lint(names) {
+  lint(isOurs) {
     for (const finding of data.findings.filter(one => one !== this.open)) {
       const { what, index, at } = finding;
-      const frames = new Set(names.flatMap(name => [...at.get(name) || []])), others = frames.size - (frames.has(this.frame) ? 1 : 0);
+      const frames = new Set([...at].flatMap(([name, list]) => isOurs(name) ? [...list] : [])), others = frames.size - (frames.has(this.frame) ? 1 : 0);
       if (!frames.size) continue;
       const box = make('section', undefined, this.panel, 'finding'), more = others + ' more frame' + (others === 1 ? '' : 's');
       make('p', what, box);
@@ -84,7 +84,7 @@ class Facts {
   body(body, records) {
     const shape = data.shapes[body], pose = poseOf(body, this.frame), mass = data.masses[shape.body || shape.name], speed = frame => Math.hypot(...velocityOf(body, frame));
     make('h2', shape.name, this.panel);
-    this.lint(['-1 ' + body]);
+    this.lint(name => name.split(' ').includes(String(body)));
     const rows = [['kind', shape.type], ['part of', shape.body], ['radius', shape.radius && metres(shape.radius)],
       ['margin', shape.margin && metres(shape.margin)], ['mass', mass && digits(mass) + ' kg']].filter(([, value]) => value);
     if (!pose) rows.push(['', 'not in this frame']);
@@ -99,7 +99,8 @@ class Facts {
   pair({ pair, point }, record) {
     const { contacts, points } = data, of = data.frames.map((_, frame) => recordOf(pair, frame));
     make('h2', pairName(pair), this.panel);
-    this.lint(namesInLint(pair));
+    const names = namesInLint(pair);
+    this.lint(name => names.includes(name));
     if (record < 0) {
       make('p', 'The pair has no contact in this frame.', this.panel);
     } else {

@@ -165,7 +165,7 @@ async function start() {
     PIXELS.value.set(wide, high);
     orbit.place(wide, high, bodies.reach);
     const isCut = bodies.cut(orbit.camera.position);
-    byId('words').textContent = [...note, state.on.has('shapes') && isCut ? 'walls in front are cut away' : ''].filter(Boolean).join(' \u00b7 ');
+    byId('words').textContent = [layers.marks.length ? '' : null, ...note, state.on.has('shapes') && isCut ? 'walls in front are cut away' : ''].filter((words, i) => words || words === '' && !i).join(' \u00b7 ');
     bodies.sort(orbit.camera.position);
     renderer.setClearColor(new THREE.Color(css('ground')));
     renderer.render(scene, orbit.camera);

@@ -88,14 +88,16 @@ std::string foreign_format(std::string_view begin, std::uintmax_t size) {
 std::string foreign_format_remedy(std::string_view begin, std::uintmax_t size) {
   const std::string format = foreign_format(begin, size);
   if (format.empty()) return {};
-  if (format.ends_with(".obj"))
+  constexpr std::array kMeshes = {".obj", "STL", "PLY"};
+  if (std::ranges::any_of(kMeshes, [&](auto mesh) { return format.find(mesh) != format.npos; }))
     return "this is " + format +
            " and no scenario; a scenario (.toml) names it: "
-           "type = \"mesh\" or \"hull\", file = \"NAME.obj\"";
+           "type = \"mesh\" or \"hull\", file = \"NAME\"";
   return "this is " + format +
-         ", which is not read; a scenario is TOML (.toml), the meshes that it "
-         "names are Wavefront .obj, and what an engine did is a trace (.jsonl); convert the meshes "
-         "to .obj and name them in a scenario";
+         ", which is not read; a scenario is TOML (.toml), the meshes that it names are .obj, "
+         ".stl, "
+         ".ply or .off, and what an engine did is a trace (.jsonl); name the "
+         "meshes in a scenario";
 }
 
 }  // namespace contactscope

@@ -203,6 +203,10 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
     best = candidate;
     best_distance = distance;
   }
+  // A part of a word: "flicker" of "pairs_flicker".
+  constexpr std::size_t kPart = 4;
+  for (std::size_t i = 0; best.empty() && word.size() >= kPart && i < candidates.size(); ++i)
+    if (candidates[i].find(word) != std::string_view::npos) best = candidates[i];
   return best;
 }
 

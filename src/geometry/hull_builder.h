@@ -20,7 +20,7 @@ Hull<double> hull_from_polygons(std::vector<Vec3d> vertices,
 struct HullOptions {
   /// Merge points with equal coordinates. Otherwise they are an error that names two of them: in a
   /// hand-written list a repeated vertex is a typo. Turn it on for file formats that repeat
-  /// vertices on purpose (or weld while reading, as load_obj_vertices does).
+  /// vertices on purpose (or weld while reading, as load_vertices does).
   bool weld_duplicates = false;
 
   /// Allow three or more points within rounding of one plane to make a flat hull: their convex

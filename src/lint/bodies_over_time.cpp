@@ -45,11 +45,11 @@ class BodiesWatch final : public Watch {
         findings, "a body is elsewhere for a frame",
         "the frames before and after have it in the same place: check which step's pose is "
         "written, and interpolated poses");
-    auto flights = mapped(flights_.pairs, [](const auto& pair) { return pair.second.first; });
-    std::ranges::stable_sort(flights, {}, [&](const Finding& one) {
+    auto flights = mapped(flights_.pairs, [](const auto& pair) { return pair.second; });
+    std::ranges::stable_sort(flights, {}, [&](const OfPair& one) {
       return std::pair(one.frame, one.a != flights_.first.a);
     });
-    auto names = mapped(flights, [](const Finding& one) { return "'" + one.a + "'"; });
+    auto names = mapped(flights, [](const OfPair& one) { return "'" + one.a + "'"; });
     if (names.size() > kNamed)
       names[kNamed] = counted(names.size() - kNamed, "other"), names.resize(kNamed + 1);
     flights_.report(

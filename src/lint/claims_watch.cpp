@@ -171,6 +171,7 @@ class ClaimsWatch final : public Watch {
     Finding finding{cause, what, remedy, 0, judged_};
     const WrongPair* first = nullptr;
     Marks marks;
+    std::map<Names, OfPair> pairs;
     all_gathered_ = 0, is_enough_ = false;
     const auto level = [](const WrongPair& of) { return 3 * of.beyond + of.gross + of.severe; };
     for (const WrongPair& wrong : wrong_) {
@@ -180,7 +181,13 @@ class ClaimsWatch final : public Watch {
       if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
       if (!wrong.beyond) continue;
       finding.count += wrong.times;
-      marks.add({wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
+      OfPair& of_pair = pairs[{wrong.a, wrong.b}];
+      const int before = of_pair.count;
+      if (before == 0)
+        of_pair = {wrong.a, wrong.b, 0, wrong.line, wrong.frame, wrong.said, wrong.is};
+      of_pair.count = before + wrong.times;
+      if (!wrong.is_copy)
+        marks.add({wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
       for (const Mark& other : wrong.others) marks.add(other, &options_);
       if (wrong.grossly_beyond) finding.gross = std::max(finding.gross, wrong.size);
     }
@@ -193,6 +200,7 @@ class ClaimsWatch final : public Watch {
     finding.size = first->size;
     marks.put_in(finding);
     std::ranges::stable_sort(finding.marks, {}, &Mark::frame);
+    for (auto& [names, one] : pairs) finding.pairs.push_back(std::move(one));
     if (finding.gross == 0 && finding.count < kOften * judged_) finding.below = kFewAndSmall;
     return finding;
   }
@@ -282,7 +290,11 @@ class ClaimsWatch final : public Watch {
     const bool is_of_types = types.size() == 1 && std::ranges::any_of(types_in_, [&](auto& of) {
                                return of.second != *types.begin();
                              });
-    const std::string where = is_of_types ? ", in pairs of kind " + in_words(*types.begin()) : "";
+    const std::string where =
+        pairs.size() == 1 && judged_ > judged
+            ? ", of '" + pairs.begin()->first + "' and '" + pairs.begin()->second + "' alone"
+        : is_of_types ? ", in pairs of kind " + in_words(*types.begin())
+                      : "";
     for (const Mistake* mistake : all[e].made)
       named.push_back(
           gathered(mistake->name, mistake->what + where, mistake->remedy, is_explained));

@@ -110,20 +110,20 @@ class InternalEdgesWatch final : public Watch {
             outward);
         if (!(lean > kLeaning)) continue;
         frames.explained->try_emplace(&pair, Explained::ButForSigns);
-        tally_.wrong(
-            frames, name, other,
-            [&] {
-              return std::pair(
-                  "normal " + spelled(manifold.normal) + ", at " + spelled(point.position),
-                  "it leans by " + shown(lean * 180 / std::numbers::pi) +
-                      " degrees from the surface, which continues there");
-            },
-            point.position);
+        // By the lean and the speed that it may take.
+        const double impulse = point.impulse ? point.impulse->normal : 0;
+        tally_.wrong_at({frames.now->frame, frames.now->line, name, other, point.position}, frames,
+                        1 + std::sin(lean) * impulse, [&] {
+                          return std::pair("normal " + spelled(manifold.normal) + ", at " +
+                                               spelled(point.position),
+                                           "it leans by " + shown(lean * 180 / std::numbers::pi) +
+                                               " degrees from the surface, which continues there");
+                        });
       }
     }
   }
 
-  Tally tally_{"internal_edge", "points"};
+  Tally tally_{"internal_edge", "points", true};
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ namespace {
 struct Cause {
   bool (*is)(const std::string& cause);
   std::vector<std::string> effects;
+  bool is_of_pairs = false;  // its effects are in the same pairs
 };
 /// Effects are left out when their cause is reported.
 const std::vector<Cause>& causes_and_effects() {
@@ -30,13 +31,49 @@ const std::vector<Cause>& causes_and_effects() {
       {[](const std::string& cause) {
          return std::ranges::find(mistakes(), cause, &Mistake::name) != mistakes().end();
        },
-       {"depths_jump", "impulses_flicker", "internal_edge"}},
+       {"depths_jump", "impulses_flicker", "internal_edge"},
+       true},
       {[](const std::string& cause) {
          return moves_shapes(cause) || cause == "shape_too_large" || cause == "shape_too_small";
        },
        {"overlap_told_apart", "overlap_without_contact", "pair_never_reported"}},
       {[](const std::string& cause) { return cause == "flipped_normals"; }, {"impulses_on_a"}}};
   return all;
+}
+
+using Names = std::pair<std::string, std::string>;
+
+/// Takes occurrences in these pairs away. Returns whether others are left.
+bool leaves_others(const std::set<Names>& explained, Finding& finding) {
+  const auto is_explained = [&](const auto& one) {
+    if (!one.b.empty()) return explained.contains(std::minmax(one.a, one.b));
+    return std::ranges::any_of(
+        explained, [&](const Names& pair) { return pair.first == one.a || pair.second == one.a; });
+  };
+  for (const OfPair& one : finding.pairs) finding.count -= is_explained(one) ? one.count : 0;
+  std::erase_if(finding.pairs, is_explained);
+  std::erase_if(finding.marks, is_explained);
+  if (finding.pairs.empty() || finding.count <= 0) return false;
+  if (is_explained(finding)) put(finding.pairs.front(), finding);
+  return true;
+}
+
+/// Leaves out the effects of causes that are reported: of one that explains half of all pairs all of
+/// them, of another one those in its pairs.
+void erase_effects(const Cause& cause, std::vector<Finding>& all) {
+  bool is_wide = false;
+  std::set<Names> explained;
+  for (const Finding& finding : all) {
+    if (!is_reported(finding) || !cause.is(finding.cause)) continue;
+    is_wide =
+        is_wide || !cause.is_of_pairs || finding.pairs.empty() || 2 * finding.count >= finding.of;
+    for (const OfPair& one : finding.pairs) explained.insert(std::minmax(one.a, one.b));
+  }
+  if (!is_wide && explained.empty()) return;
+  std::erase_if(all, [&](Finding& finding) {
+    return std::ranges::find(cause.effects, finding.cause) != cause.effects.end() &&
+           (is_wide || !leaves_others(explained, finding));
+  });
 }
 
 /// Mistakes that explain wrong claims come first, effects and unexplained claims late. Engines
@@ -172,12 +209,7 @@ std::vector<Finding> Linter::findings() {
   for (const auto& [name, why] : state_->solids.refused)
     all.push_back({"shape", "shape '" + name + "' bounds nothing, so its contacts cannot be judged",
                    why, 1, 0, 1, 0, name, "", "", ""});
-  for (const Cause& cause : causes_and_effects())
-    if (std::ranges::any_of(all,
-                            [&](auto& one) { return is_reported(one) && cause.is(one.cause); }))
-      std::erase_if(all, [&](const Finding& finding) {
-        return std::ranges::find(cause.effects, finding.cause) != cause.effects.end();
-      });
+  for (const Cause& cause : causes_and_effects()) erase_effects(cause, all);
   std::erase_if(all, [&](const Finding& finding) {
     return finding.count == 0 ||  // all tolerated
            state_->options.ignores(finding.cause, finding.a, finding.b);

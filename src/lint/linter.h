@@ -14,6 +14,14 @@ struct Mark {
   std::optional<Vec3d> at{};  // world
 };
 
+/// Occurrences of a problem in one pair, with the first of them.
+struct OfPair {
+  std::string a, b;
+  int count = 0;
+  int line = 0, frame = 0;
+  std::string said{}, is{};
+};
+
 /// One problem with all its occurrences.
 struct Finding {
   std::string cause;   // "flipped_normals"; for programs
@@ -24,11 +32,12 @@ struct Finding {
   // The first or the worst occurrence:
   int line = 0;  // line in the file, from 1; 0: none
   int frame = 0;
-  std::string a{}, b{};       // shapes; b may be empty
-  std::string said{}, is{};   // "separation -0.02", "the surfaces are 0.04 m apart"
-  std::vector<Mark> marks{};  // in the order of frames; of many, an evenly spaced subset, unless
-                              // LintOptions::is_marked chooses the frames
-  std::vector<int> frames{};  // in which it occurs; of many, an evenly spaced subset
+  std::string a{}, b{};         // shapes; b may be empty
+  std::string said{}, is{};     // "separation -0.02", "the surfaces are 0.04 m apart"
+  std::vector<Mark> marks{};    // in the order of frames; of many, an evenly spaced subset, unless
+                                // LintOptions::is_marked chooses the frames
+  std::vector<OfPair> pairs{};  // the first 1,000; empty: not counted by pair
+  std::vector<int> frames{};    // in which it occurs; of many, an evenly spaced subset
   /// The threshold that it does not reach: "2 % of them, or 15 tolerances". Empty: it is reported.
   std::string below{};
   bool is_hint = false;    // no fault, but worth knowing

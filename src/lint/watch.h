@@ -82,6 +82,13 @@ struct Marks {
   Thinned<int, 1000> frames;
 };
 
+/// Makes an occurrence the place of a finding.
+inline void put(const OfPair& one, Finding& finding) {
+  finding.line = one.line, finding.frame = one.frame;
+  finding.a = one.a, finding.b = one.b;
+  finding.said = one.said, finding.is = one.is;
+}
+
 /// Counts occurrences of one problem among all cases, and keeps the first of each pair, and the worst.
 struct Tally {
   static constexpr std::size_t kMaxPairs = 1000;  // later ones are only counted
@@ -89,18 +96,13 @@ struct Tally {
   /// ones is reported however rare it is: no rounding makes it.
   static constexpr double kGross = 0.02, kTimesOthers = 10;
 
-  /// The first occurrence of a pair, and the number of all.
-  struct OfPair {
-    Finding first{};
-    int count = 0;
-  };
-
   std::string cause{};
   std::string_view cases = "pairs";
+  bool is_worst_first = false;  // the finding is about the worst, not the first
   int count = 0, of = 0;
   std::map<std::pair<std::string, std::string>, OfPair> pairs{};
-  Finding first{}, worst{};
-  double small = 0;  // the largest size below kGross
+  OfPair first{}, worst{};
+  double gross = 0, small = 0;  // the size of the worst; the largest size below kGross
   Marks marks{};
 
   /// Adds an occurrence; `said` and `is` are only built for the first of a pair and the worst.
@@ -111,14 +113,14 @@ struct Tally {
     const auto known = pairs.find(key);
     const bool is_first = known == pairs.end() && pairs.size() < kMaxPairs;
     if (known != pairs.end()) ++known->second.count;
-    const bool is_worst = size >= kGross && size > worst.gross;
+    const bool is_worst = size >= kGross && size > gross;
     if (size < kGross) small = std::max(small, size);
     if (is_first || is_worst) {
       const auto [said, is] = words();
-      const Finding one{"", "", "", 0, 0, mark.line, mark.frame, mark.a, mark.b, said, is};
-      if (is_first) pairs[key] = {one, 1};
+      const OfPair one{mark.a, mark.b, 1, mark.line, mark.frame, said, is};
+      if (is_first) pairs[key] = one;
       if (count == 0) first = one;
-      if (is_worst) worst = one, worst.gross = size;
+      if (is_worst) worst = one, gross = size;
     }
     ++count;
     marks.add(std::move(mark), frames.options);
@@ -138,21 +140,19 @@ struct Tally {
     // One pair may have nearly all of them, and another one the first.
     const auto most =
         std::ranges::max_element(pairs, {}, [](const auto& pair) { return pair.second.count; });
-    const double gross = worst.gross > kTimesOthers * small ? worst.gross : 0;
+    const bool is_gross = gross > kTimesOthers * small;
     const bool is_repeated = most->second.count >= repeats;
     const bool is_rare = count < share * of && !is_repeated;
-    Finding finding = is_rare && gross > 0                            ? worst
-                      : is_repeated || 2 * most->second.count > count ? most->second.first
-                                                                      : first;
-    finding.gross = gross;
-    finding.cause = cause;
-    finding.what = what;
-    finding.remedy = remedy;
-    finding.count = count;
-    finding.of = of;
+    Finding finding{cause, what, remedy, count, of};
+    put(is_worst_first || (is_rare && is_gross)         ? worst
+        : is_repeated || 2 * most->second.count > count ? most->second
+                                                        : first,
+        finding);
+    finding.gross = is_gross && !is_worst_first ? gross : 0;
+    for (const auto& [names, one] : pairs) finding.pairs.push_back(one);
     finding.cases = cases;
     marks.put_in(finding);
-    if (is_rare && gross == 0)
+    if (is_rare && !is_gross)
       finding.below = shown(100 * share) + " %";
     else if (count < least)
       finding.below = std::to_string(least) + " of them";

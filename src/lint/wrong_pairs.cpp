@@ -80,6 +80,7 @@ void SteadyErrors::see(WrongPair& wrong) {
   const Mark own{wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at};
   wrong = first;
   wrong.others.push_back(own);
+  wrong.is_copy = true;
   wrong.gross = wrong.severe = true;
   wrong.grossly_beyond = wrong.beyond;
 }

@@ -31,6 +31,7 @@ struct WrongPair {
   bool severe = false;                         // beyond all of them
   bool beyond = true, grossly_beyond = false;  // likewise for the tolerance that the user gives
   bool record = false;
+  bool is_copy = false;        // of another one, for its place; the mark of its own is in `others`
   int times = 1;               // number of pairs
   std::vector<Mark> others{};  // of these, if all are marked
 };

@@ -20,6 +20,6 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcontactscope-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # Needed to link the static library.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libc6-dev, libdeflate-dev, libimgui-dev, libisal-dev, libsimdjson-dev, libstb-dev, libtinyobjloader-dev, libtomlplusplus-dev, libwebp-dev, nettle-dev")
+  "libc6-dev, libdeflate-dev, libimgui-dev, libisal-dev, libsimdjson-dev, libstb-dev, libtomlplusplus-dev, libwebp-dev, nettle-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The library, its headers, the recorder and the adapters")
 include(CPack)

@@ -1,7 +1,7 @@
 #include "core/spell.h"
 #include "field/distance_field.h"
 #include "geometry/mesh_seams.h"
-#include "geometry/obj.h"
+#include "geometry/mesh_file.h"
 #include "geometry/primitives.h"
 #include "scenario/readers.h"
 
@@ -67,7 +67,7 @@ Mesh<double> read_listed(const Value& table, MeshBuilder& build, MeshReport& rep
 
 Mesh<double> read_file(const Value& file, const std::filesystem::path& folder, MeshBuilder& build,
                        MeshReport& report) {
-  const ObjMesh obj = load_obj(file, folder, load_obj_mesh);
+  const FileMesh obj = load_file(file, folder, load_mesh);
   if (obj.triangles.size() > kMaxTriangles)
     file.fail("'file' has " + std::to_string(obj.triangles.size()) +
               " triangles; a mesh may have up to " + std::to_string(kMaxTriangles));

@@ -1,5 +1,5 @@
 #include "core/random.h"
-#include "geometry/obj.h"
+#include "geometry/mesh_file.h"
 #include "scenario/readers.h"
 
 namespace contactscope::scenario_file {
@@ -116,7 +116,7 @@ Twist read_twist(const Value& value) {
 /// The vertices of a file that must have the same triangles as `mesh`.
 std::vector<Vec3d> read_vertices(const Value& file, const Mesh<double>& mesh,
                                  const std::filesystem::path& folder) {
-  ObjMesh obj = load_obj(file, folder, load_obj_mesh);
+  FileMesh obj = load_file(file, folder, load_mesh);
   const auto differs = [&](const char* what, std::size_t of_file, std::size_t of_mesh) {
     if (of_file != of_mesh)
       file.fail(

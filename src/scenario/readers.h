@@ -138,7 +138,7 @@ std::vector<ScenarioShape> read_shapes(const Value& value, const Surroundings& s
 /// position and size. `table` is the shape's table.
 std::vector<ScenarioShape> scattered(const ScenarioShape& model, const Value& scatter,
                                      const Value& table);
-/// A shape of type "mesh": `vertices` with `triangles`, an .obj `file`, or a `grid`.
+/// A shape of type "mesh": `vertices` with `triangles`, a `file`, or a `grid`.
 Shape<double> read_mesh(const Value& table, const Surroundings& surroundings);
 /// A shape of type "sdf": source shape and resolution.
 Shape<double> read_sdf(const Value& table, const Surroundings& surroundings);
@@ -152,13 +152,13 @@ std::vector<Vec3d> read_points(const Value& value);
 /// Reject points farther than kLargestLength from zero, and shapes smaller than kSmallestLength.
 void check_reach(const std::vector<Vec3d>& points, const Value& at);
 void check_radius(double radius, const Value& at);
-/// The path of the Wavefront file in a `file` key; the file must exist.
-std::filesystem::path existing_obj_file(const Value& value, const std::filesystem::path& folder);
+/// The path of the mesh in a `file` key; the file must exist.
+std::filesystem::path existing_mesh_file(const Value& value, const std::filesystem::path& folder);
 
 /// The result of `load` for that file.
 template <class Load>
-auto load_obj(const Value& file, const std::filesystem::path& folder, const Load& load) {
-  const std::filesystem::path path = existing_obj_file(file, folder);
+auto load_file(const Value& file, const std::filesystem::path& folder, const Load& load) {
+  const std::filesystem::path path = existing_mesh_file(file, folder);
   try {
     return load(path.string());
   } catch (const InputError& error) {

@@ -1,8 +1,8 @@
 #include <system_error>
 
 #include "geometry/hull_builder.h"
+#include "geometry/mesh_file.h"
 #include "geometry/mesh_seams.h"
-#include "geometry/obj.h"
 #include "geometry/primitives.h"
 #include "geometry/triangulate.h"
 #include "scenario/readers.h"
@@ -55,7 +55,7 @@ Shape<double> read_hull(const Value& table, const Surroundings& surroundings) {
     table.fail("the hull '" + table.name() +
                "' has no points; add vertices = [[x, y, z], ..] or file = \"NAME.obj\"");
   if (vertices) return hull_of_points(read_points(*vertices), *vertices, table, surroundings);
-  return hull_of_points(load_obj(*file, surroundings.folder, load_obj_vertices), *file, table,
+  return hull_of_points(load_file(*file, surroundings.folder, load_vertices), *file, table,
                         surroundings);
 }
 
@@ -246,13 +246,10 @@ void check_radius(double radius, const Value& at) {
     at.fail("'" + at.name() + "' is smaller than 1e-9 metres; scale it up");
 }
 
-fs::path existing_obj_file(const Value& value, const fs::path& folder) {
+fs::path existing_mesh_file(const Value& value, const fs::path& folder) {
   const std::string name = value.non_empty_string();
-  std::string extension = fs::path(name).extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (extension != ".obj")
-    value.fail("'file' is '" + name + "', which is not an .obj file; give a Wavefront .obj");
+  if (!is_mesh_file(name))
+    value.fail("'file' is '" + name + "', which is no mesh; give a .obj, .stl, .ply or .off");
   const fs::path path = folder / name;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -260,7 +257,7 @@ fs::path existing_obj_file(const Value& value, const fs::path& folder) {
     value.fail("there is no file '" + path.string() +
                "'; names are relative to the scenario's folder");
   if (status.type() != fs::file_type::regular)
-    value.fail("'" + path.string() + "' is not a regular file; give a Wavefront .obj");
+    value.fail("'" + path.string() + "' is not a regular file; give one with a mesh");
   return path;
 }
 

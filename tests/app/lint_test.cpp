@@ -187,6 +187,38 @@ TEST(LintVerb, AKnownFindingBelowItsThresholdIsNewWhenItIsMoreFrequent) {
   EXPECT_EQ(run("lint '" + trace(9) + "'").exit_code, 0);
 }
 
+/// With --strict each pair of a known finding counts.
+TEST(LintVerb, AKnownFindingInAnotherPairIsNewWithStrict) {
+  const TemporaryFolder folder;
+  // Two crates on the ground, of which one is said to be too deep, in a frame.
+  const auto trace = [&](int wrong) {
+    const std::string text = crate("0,1,0", "-0.02");
+    nlohmann::json header = nlohmann::json::parse(text.substr(0, text.find('\n')));
+    nlohmann::json frame = nlohmann::json::parse(text.substr(text.find('\n')));
+    header["shapes"]["second"] = header["shapes"]["crate"];
+    frame["poses"]["second"] = frame["poses"]["crate"];
+    frame["poses"]["second"]["position"][0] = 10;
+    frame["pairs"].push_back(frame["pairs"][0]);
+    frame["pairs"][1]["b"] = "second";
+    for (auto& point : frame["pairs"][1]["manifolds"][0]["points"])
+      point["position"][0] = point["position"][0].get<double>() + 10;
+    frame["pairs"][wrong]["manifolds"][0]["points"][0]["separation"] = -0.1;
+    return folder.write(std::to_string(wrong) + ".jsonl",
+                        header.dump() + "\n" + frame.dump() + "\n");
+  };
+  const std::string first = trace(0), second = trace(1), known = folder / "known.json";
+  EXPECT_EQ(run("lint --strict --write-known '" + known + "' '" + first + "'").exit_code, 0);
+  EXPECT_EQ(run("lint --strict --known '" + known + "' '" + first + "'").exit_code, 0);
+  EXPECT_EQ(run("lint --known '" + known + "' '" + second + "'").exit_code, 0);
+  const ProgramRun strict = run("lint --strict --known '" + known + "' '" + second + "'");
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_THAT(strict.out, HasSubstr("in a pair of which " + known + " does not know it"));
+  EXPECT_THAT(strict.out, HasSubstr("ground-second"));
+  const ProgramRun found = run("find --strict --known '" + known + "' '" + second + "' 'lint > 0'");
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_EQ(run("find --strict --known '" + known + "' '" + first + "' 'lint > 0'").exit_code, 1);
+}
+
 /// Findings can be ignored for a shape that is only in one of the files, or only in a later frame.
 TEST(LintVerb, IgnoredShapesMayBeInAnyFileAndFrame) {
   const TemporaryFolder folder;

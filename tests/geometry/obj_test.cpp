@@ -1,4 +1,4 @@
-#include "geometry/obj.h"
+#include "geometry/mesh_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,13 +35,13 @@ class Obj : public ::testing::Test {
     return path.string();
   }
 
-  std::vector<Vec3d> load(const std::string& text) const { return load_obj_vertices(write(text)); }
+  std::vector<Vec3d> load(const std::string& text) const { return load_vertices(write(text)); }
 
   /// The error message without the leading path.
   std::string refusal_of(const std::string& text) const {
     const std::string path = write(text);
     try {
-      load_obj_vertices(path);
+      load_vertices(path);
     } catch (const InputError& error) {
       const std::string message = error.what();
       EXPECT_THAT(message, StartsWith(path));
@@ -90,11 +90,11 @@ TEST_F(Obj, VerticesOfAllGroupsCount) {
 }
 
 TEST_F(Obj, AMissingFileIsRefused) {
-  EXPECT_THROW(load_obj_vertices("/nowhere/rock.obj"), InputError);
+  EXPECT_THROW(load_vertices("/nowhere/rock.obj"), InputError);
 }
 
 TEST_F(Obj, AFolderIsRefused) {
-  EXPECT_THROW(load_obj_vertices(CONTACTSCOPE_BINARY_DIR), InputError);
+  EXPECT_THROW(load_vertices(CONTACTSCOPE_BINARY_DIR), InputError);
 }
 
 TEST_F(Obj, AnEmptyFileIsRefused) { EXPECT_THAT(refusal_of(""), HasSubstr("empty")); }
@@ -174,7 +174,7 @@ TEST_F(Obj, APipeOrADeviceIsRefusedAtOnce) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string& path : {pipe, std::string("/dev/zero")}) {
     try {
-      load_obj_vertices(path);
+      load_vertices(path);
       ADD_FAILURE() << path;
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr("not a regular file")) << path;

@@ -297,6 +297,32 @@ TEST(LintFaults, ARareOneLikeOthersOfTheTraceStaysBelowTheThreshold) {
   EXPECT_EQ(named_in(findings), "");
 }
 
+/// A mistake in some pairs does not hide what happens in others.
+TEST(LintFaults, AFaultInAPairIsNamedNextToAMistakeInOthers) {
+  const Trace clean = long_stack(4);
+  const std::vector<Target> both = targets(clean, 2);
+  ASSERT_EQ(both.size(), 2u);
+  const auto each_point = [](Trace& trace, const Target& target, const auto& change) {
+    for (trace::Frame& frame : trace.frames)
+      for (trace::Pair& pair : frame.pairs)
+        if (std::minmax(pair.a, pair.b) == std::minmax(target.a, target.b))
+          for (trace::Manifold& manifold : pair.manifolds) change(frame, manifold);
+  };
+  for (const bool same : {false, true}) {
+    Trace trace = clean;
+    each_point(trace, both[0], [](auto&, auto& manifold) { manifold.normal = -manifold.normal; });
+    each_point(trace, both[same ? 0 : 1], [](auto& frame, auto& manifold) {
+      for (trace::Point& point : manifold.points) point.separation -= 0.02 * (frame.frame % 2);
+    });
+    const std::vector<Finding> findings = lint(trace);
+    const auto jump = std::ranges::find(findings, "depths_jump", &Finding::cause);
+    EXPECT_NE(std::ranges::find(findings, "flipped_normals", &Finding::cause), findings.end());
+    ASSERT_EQ(jump == findings.end(), same) << named_in(findings);
+    if (same) continue;
+    EXPECT_EQ(std::set({jump->a, jump->b}), std::set({both[1].a, both[1].b}));
+  }
+}
+
 /// Engines approximate now and then, and never by the same amount for long.
 TEST(LintFaults, APairThatIsOffByTheSameAmountForLongIsNamedHoweverRareItIs) {
   const Trace clean = long_stack(80);

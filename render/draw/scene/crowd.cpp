@@ -123,6 +123,16 @@ void number_pairs(const Scene& scene, const trace::Pair* marked, Sketch& sketch)
   }
 }
 
+/// Whether a picture of a condition leaves this pair out.
+bool is_left_out(const Scene& scene, const trace::Pair& pair) {
+  const auto& faults = scene.view.faults;
+  const auto condition = std::ranges::find_if(faults, &Fault::is_condition);
+  return condition != faults.end() &&
+         std::ranges::none_of(condition->places, [&](const Fault::Place& place) {
+           return place.frame == scene.frame.frame && place.a == pair.a && place.b == pair.b;
+         });
+}
+
 /// The pair that stands out in a frame; nullptr if none overlaps.
 const trace::Pair* marked_pair(const Scene& scene) {
   const std::vector<std::string>& names = scene.view.focus_on;
@@ -132,8 +142,11 @@ const trace::Pair* marked_pair(const Scene& scene) {
         return &pair;
     return nullptr;
   }
-  const auto first = ranked_pairs(scene.frame, Rank::Overlap, 1, scene.meshes);
-  return first.empty() || first[0].value <= scene.scales.touching ? nullptr : first[0].pair;
+  const auto ranked =
+      ranked_pairs(scene.frame, Rank::Overlap, scene.frame.pairs.size(), scene.meshes);
+  const auto first = std::ranges::find_if(
+      ranked, [&](const RankedPair& one) { return !is_left_out(scene, *one.pair); });
+  return first == ranked.end() || first->value <= scene.scales.touching ? nullptr : first->pair;
 }
 
 }  // namespace
@@ -158,15 +171,8 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
     const Vec3d before = at + metres * scene.camera.to_eye(at).normalized();
     return bodies.split(before, before).front().hidden;
   };
-  const auto condition = std::ranges::find_if(scene.view.faults, &Fault::is_condition);
-  const auto is_left_out = [&](const trace::Pair& pair) {
-    return condition != scene.view.faults.end() &&
-           std::ranges::none_of(condition->places, [&](const Fault::Place& place) {
-             return place.frame == scene.frame.frame && place.a == pair.a && place.b == pair.b;
-           });
-  };
   for (const trace::Pair& pair : scene.frame.pairs) {
-    if (pair.manifolds.empty() || is_left_out(pair)) continue;
+    if (pair.manifolds.empty() || is_left_out(scene, pair)) continue;
     sketch.begin(name_of(Layer::Contacts), pair.a + " " + pair.b);
     for (const PairPoint& kept : kept_points(pair)) {
       const Vec3d& at = kept.point->position;

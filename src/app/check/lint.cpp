@@ -4,54 +4,11 @@
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"
 #include "app/cli/verbs.h"
-#include "core/input_error.h"
 #include "core/key_table.h"
 #include "snapshot/store.h"
 
 namespace contactscope::app {
 namespace {
-
-constexpr const char* kSchema = "contactscope.lint/1";
-
-/// How often a finding occurs, and how gross it is, by the name of its file and its cause.
-struct Known {
-  double share = 0, gross = 0;
-};
-constexpr double kAnySize = 1e9;  // files of earlier versions have no 'gross'
-struct AllKnown : std::map<std::pair<std::string, std::string>, Known> {
-  bool have_below = false;  // files of earlier versions have no findings below a threshold
-};
-
-AllKnown::key_type key_of(const std::string& file, const std::string& cause) {
-  return {std::filesystem::path(file).filename().string(), cause};
-}
-double share(int count, int of) { return of > 0 ? static_cast<double>(count) / of : count; }
-
-/// The findings of a file that --json or --write-known has written: by file, or for any file if they
-/// are of one. Throws InputError.
-AllKnown known_findings(const std::string& path) {
-  AllKnown known;
-  if (path.empty()) return known;
-  try {
-    const std::optional<std::string> text = snapshot::read_text_file(path);
-    if (!text) throw std::invalid_argument("there is no such file");
-    const auto json = nlohmann::json::parse(*text);
-    if (json.at("schema") != kSchema) throw std::invalid_argument("another schema");
-    const bool is_one = json.at("files").size() == 1;
-    for (const nlohmann::json& file : json.at("files")) {
-      known.have_below = known.have_below || file.contains("below");
-      for (const char* const list : {"findings", "below"})
-        for (const nlohmann::json& one : file.value(list, nlohmann::json::array()))
-          known[key_of(is_one ? "" : file.at("file"), one.at("cause"))] = {
-              share(one.at("count"), one.value("of", 0)), one.value("gross", kAnySize)};
-    }
-  } catch (const std::exception& error) {
-    throw InputError(path, 1, 1,
-                     std::string("no findings of lint can be read here (") + error.what() +
-                         "); write them with `contactscope lint RUN.jsonl --write-known FILE`");
-  }
-  return known;
-}
 
 /// One finding for several that differ in their shapes alone, such as hints about margins: adds the
 /// names of the next three, and the number of the others.
@@ -67,37 +24,27 @@ lint::Finding gathered(const std::vector<lint::Finding>& all, std::size_t first,
 }
 
 ExitCode run_lint(const Options& options) {
-  const AllKnown known = known_findings(options.known);
-  constexpr double kMore = 1.5, kGrosser = 3;  // times as frequent, or as large: a new finding
-  constexpr int kChance = 3;       // so many more, below a threshold, are no new finding
-  constexpr double kSmall = 0.05;  // relative to the smaller shape; less is never grosser
+  const KnownFindings known(options);
   const lint::LintOptions linter = linter_options(options);
   bool clean = true;
   std::set<std::string> shapes;
   const auto note_shapes = [&](const auto& all) {
     for (const auto& shape : all) shapes.insert(shape.name);
   };
-  nlohmann::ordered_json json{{"schema", kSchema}, {"files", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"schema", kLintSchema}, {"files", nlohmann::ordered_json::array()}};
   const auto report = [&](const std::string& file, std::vector<lint::Finding> findings) {
     nlohmann::ordered_json one{{"file", file}, {"findings", nlohmann::ordered_json::array()}};
     int known_here = 0, new_here = 0;
     std::size_t printed = 0;  // findings before this one
     for (std::size_t i = 0; i < findings.size(); ++i) {
       lint::Finding& finding = findings[i];
-      auto before = known.find(key_of(file, finding.cause));
-      if (before == known.end()) before = known.find(key_of("", finding.cause));
-      const Known was = before == known.end() ? Known() : before->second;
-      if (!finding.below.empty() && known.have_below &&
-          finding.count > kMore * was.share * std::max(finding.of, 1) + kChance) {
-        finding.below.clear();
-        finding.what += ", more often than " + options.known + " knows it";
-      }
-      const bool is_fault = lint::is_reported(finding);
-      const bool is_known = is_fault && before != known.end() &&
-                            share(finding.count, finding.of) <= kMore * was.share &&
-                            finding.gross <= std::max(kSmall, kGrosser * was.gross);
+      const bool knows = known.knows(file, finding), is_fault = lint::is_reported(finding);
+      const bool is_known = is_fault && knows;
       nlohmann::ordered_json entry = to_json(finding);
       if (is_known) entry["known"] = true;
+      if (!options.write_known.empty())
+        for (const lint::OfPair& pair : finding.pairs)
+          entry["pairs"].push_back({pair.a, pair.b, pair.count});
       one[is_fault ? "findings" : finding.is_hint ? "hints" : "below"].push_back(entry);
       known_here += is_known;
       new_here += is_fault && !is_known;

@@ -3,10 +3,20 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/progress.h"
+#include "core/input_error.h"
 #include "core/key_table.h"
 #include "scenario/run.h"
+#include "snapshot/store.h"
 
 namespace contactscope::app {
+namespace {
+
+double share(int count, int of) { return of > 0 ? static_cast<double>(count) / of : count; }
+std::string name_of_file(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+}  // namespace
 
 std::string record(const std::string& file, const lint::Finding& finding) {
   std::string text = file + ":" + std::to_string(std::max(finding.line, 1)) +
@@ -50,6 +60,64 @@ nlohmann::ordered_json to_json(const lint::Finding& finding) {
     if (!mark.b.empty()) marks.back()["b"] = mark.b;
   }
   return json;
+}
+
+KnownFindings::KnownFindings(const Options& options)
+    : path_(options.known), is_strict_(options.strict) {
+  constexpr double kAnySize = 1e9;  // files of earlier versions have no 'gross'
+  if (path_.empty()) return;
+  try {
+    const std::optional<std::string> text = snapshot::read_text_file(path_);
+    if (!text) throw std::invalid_argument("there is no such file");
+    const auto json = nlohmann::json::parse(*text);
+    if (json.at("schema") != kLintSchema) throw std::invalid_argument("another schema");
+    // The findings of one file hold for traces of any name.
+    const bool is_one = json.at("files").size() == 1;
+    for (const nlohmann::json& file : json.at("files")) {
+      have_below_ = have_below_ || file.contains("below");
+      for (const char* const list : {"findings", "below"})
+        for (const nlohmann::json& one : file.value(list, nlohmann::json::array())) {
+          Known& known = known_[{is_one ? "" : name_of_file(file.at("file")), one.at("cause")}];
+          known.share = share(one.at("count"), one.value("of", 0));
+          known.gross = one.value("gross", kAnySize);
+          for (const nlohmann::json& pair : one.value("pairs", nlohmann::json::array()))
+            known.pairs[{pair.at(0), pair.at(1)}] = pair.at(2), have_pairs_ = true;
+        }
+    }
+  } catch (const std::exception& error) {
+    throw InputError(path_, 1, 1,
+                     std::string("no findings of lint can be read here (") + error.what() +
+                         "); write them with `contactscope lint RUN.jsonl --write-known FILE`");
+  }
+}
+
+bool KnownFindings::knows(const std::string& file, lint::Finding& finding) const {
+  constexpr double kMore = 1.5, kGrosser = 3;  // times as frequent, or as large: a new finding
+  constexpr int kChance = 3;                   // so many more, of a few, are no new finding
+  constexpr double kSmall = 0.05;  // relative to the smaller shape; less is never grosser
+  if (path_.empty() || finding.is_hint) return false;
+  auto found = known_.find({name_of_file(file), finding.cause});
+  if (found == known_.end()) found = known_.find({"", finding.cause});
+  const Known was = found == known_.end() ? Known() : found->second;
+  if (!finding.below.empty() && have_below_ &&
+      finding.count > kMore * was.share * std::max(finding.of, 1) + kChance) {
+    finding.below.clear();
+    finding.what += ", more often than " + path_ + " knows it";
+    return false;
+  }
+  for (const lint::OfPair& one : finding.pairs) {
+    if (!is_strict_ || !have_pairs_) break;
+    const auto before = was.pairs.find({one.a, one.b});
+    if (before != was.pairs.end() && one.count <= kMore * before->second + kChance) continue;
+    finding.line = one.line, finding.frame = one.frame;
+    finding.a = one.a, finding.b = one.b;
+    finding.said = one.said, finding.is = one.is;
+    finding.what += ", in a pair of which " + path_ + " does not know it";
+    return false;
+  }
+  return lint::is_reported(finding) && found != known_.end() &&
+         share(finding.count, finding.of) <= kMore * was.share &&
+         finding.gross <= std::max(kSmall, kGrosser * was.gross);
 }
 
 lint::LintOptions linter_options(const Options& options) {
@@ -132,8 +200,10 @@ std::string add_faults(const Input& input, const std::vector<int>& drawn, const 
   to_lint.is_marked = is_drawn;
   std::vector<Fault> faults;
   std::string first;
-  for (const lint::Finding& one : lint_input(input, to_lint)) {
-    if (!lint::is_reported(one)) continue;
+  const KnownFindings known(options);
+  for (lint::Finding& one : lint_input(input, to_lint)) {
+    const bool is_known = known.knows(input.file, one);
+    if (is_known || !lint::is_reported(one)) continue;
     Fault& fault = faults.emplace_back(Fault{one.cause, one.count, one.of, one.frame});
     fault.frames = one.frames;
     if (!one.said.empty()) fault.detail = one.said + "; " + one.is;

@@ -13,6 +13,30 @@ std::string record(const std::string& file, const lint::Finding& finding);
 
 nlohmann::ordered_json to_json(const lint::Finding& finding);
 
+inline constexpr const char* kLintSchema = "contactscope.lint/1";
+
+/// The findings in the file of --known. With --strict each of their pairs counts.
+class KnownFindings {
+ public:
+  /// Throws InputError.
+  explicit KnownFindings(const Options& options);
+
+  /// Whether a finding of a trace is known. One below its threshold that is clearly more frequent is
+  /// made a reported one, and one in a pair that is not known is placed there.
+  bool knows(const std::string& file, lint::Finding& finding) const;
+
+ private:
+  /// How often a finding occurs, and how gross it is.
+  struct Known {
+    double share = 0, gross = 0;
+    std::map<std::pair<std::string, std::string>, int> pairs{};
+  };
+  std::string path_;
+  std::map<std::pair<std::string, std::string>, Known> known_;  // by file and cause
+  bool is_strict_ = false;
+  bool have_below_ = false, have_pairs_ = false;  // not in files of earlier versions
+};
+
 /// The options of `lint`. Throws UsageError.
 lint::LintOptions linter_options(const Options& options);
 

@@ -58,8 +58,14 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 void require_shape(const std::vector<std::string_view>& names, const std::string& option,
                    const std::string& name) {
   if (std::ranges::find(names, name) != names.end()) return;
+  constexpr std::size_t kMaxListed = 20;
+  const std::vector<std::string_view> some(
+      names.begin(), names.begin() + std::ptrdiff_t(std::min(names.size(), kMaxListed)));
   throw UsageError(option + ": there is no shape '" + name + "'; " + did_you_mean(name, names) +
-                   "there is " + quoted_list(names));
+                   "there is " + quoted_list(some, some.size() < names.size() ? ", " : " and ") +
+                   (some.size() < names.size()
+                        ? " and " + std::to_string(names.size() - kMaxListed) + " more"
+                        : ""));
 }
 
 find::Expression condition_of(const std::string& option, const std::string& text,
@@ -77,7 +83,10 @@ void keep_where(Sequence& sequence, Input& input, std::vector<View>& views,
   if (finder.wants_lint()) {
     lint::LintOptions to_lint = linter_options(options);
     to_lint.is_marked = [](int) { return true; };
-    finder.take(lint_input(input, to_lint));
+    std::vector<lint::Finding> findings = lint_input(input, to_lint);
+    const KnownFindings known(options);
+    std::erase_if(findings, [&](auto& one) { return known.knows(input.file, one); });
+    finder.take(findings);
   }
   using Name = std::tuple<std::string, std::string, std::string>;
   std::map<int, std::set<Name>> found;

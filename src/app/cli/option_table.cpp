@@ -115,8 +115,9 @@ const std::vector<Option>& option_table() {
       {"--tolerance", "METRES", "lint find render", &Options::tolerance,
        "Allowed error of positions and separations; default: 0.2 % of the smaller shape",
        between(0, 1e6)},
-      {"--known", "FILE", "lint", &Options::known,
-       "Exit with 0 if every finding is in this file, and is at most half as frequent again",
+      {"--known", "FILE", "lint find render", &Options::known,
+       "Leave out each finding that is in this file, and is at most half as frequent again; with "
+       "--strict each of its pairs. `lint` exits with 0 if no other one is left",
        kFile},
       {"--write-known", "FILE", "lint", &Options::write_known,
        "Write the findings to a file for --known, and exit with 0", kFile},

@@ -80,8 +80,10 @@ ExitCode run_find(const Options& options) {
     const auto& only = options.frames;
     lint::LintOptions to_lint = linter_options(options);
     to_lint.is_marked = [&](int frame) { return !only || only->names(frame); };
-    for (const std::string& below : finder.take(lint_trace(file, to_lint)))
-      std::cerr << "note: " << below << '\n';
+    std::vector<lint::Finding> findings = lint_trace(file, to_lint);
+    const KnownFindings known(options);
+    std::erase_if(findings, [&](auto& one) { return known.knows(file.name(), one); });
+    for (const std::string& below : finder.take(findings)) std::cerr << "note: " << below << '\n';
     file.rewind();
   }
   Workers workers(hardware_threads());

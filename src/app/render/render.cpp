@@ -71,7 +71,8 @@ std::string title_of(const trace::Header& header) {
 std::string title_of(const trace::Header& header, const std::string& finding,
                      const Fault::Place& place) {
   std::string text = header.engine + (header.version.empty() ? ": " : " " + header.version + ": ");
-  if (place.a.empty() || finding.find("'" + place.a + "'") != std::string::npos)
+  const bool has_name = finding.find("'" + place.a + "'") != std::string::npos;
+  if (place.a.empty() || has_name || finding.ends_with(" alone"))
     text += finding;
   else
     text += finding.substr(0, finding.find(", ")) + " (" + name_in_words(place.a) +
