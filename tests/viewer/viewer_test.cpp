@@ -136,7 +136,7 @@ TEST_F(InChromium, TitleAndTimelineHaveTheSameOverlap) {
   EXPECT_GT(different.size(), 48u) << page;
 }
 
-/// The findings about a pair come before its facts.
+/// The findings about a pair come before its facts, and before those of its bodies.
 TEST_F(InChromium, ASelectedPairShowsItsFindings) {
   CrateOnSlab scene = rising();
   for (trace::Point& point : scene.frames[1].pairs[0].manifolds[0].points) point.separation = 0.5;
@@ -145,13 +145,14 @@ TEST_F(InChromium, ASelectedPairShowsItsFindings) {
     const finding = data.findings[0];
     const in_frame = frame => (go(frame), select({ pair: 0 }), said());
     return { what: finding.what, said: finding.said, frames: finding.places, here: in_frame(finding.index), before: in_frame(0),
-      none: (select({ body: 0 }), said()), open: document.getElementById('findings').open };)",
+      body: (select({ body: 0 }), said()), none: (select(null), said()), open: document.getElementById('findings').open };)",
                            scene);
   ASSERT_FALSE(page.contains("error")) << page["error"];
   const auto what = page["what"].get<std::string>();
   EXPECT_THAT(page["here"].get<std::string>(), testing::StartsWith(what + "In this frame"));
   EXPECT_THAT(page["here"].get<std::string>(), HasSubstr(page["said"].get<std::string>()));
   EXPECT_THAT(page["before"].get<std::string>(), testing::StartsWith(what + "Not in this frame"));
+  EXPECT_THAT(page["body"].get<std::string>(), testing::StartsWith(what));
   EXPECT_EQ(page["none"], "");
   EXPECT_EQ(page["open"], false) << "the link names a frame";
 }

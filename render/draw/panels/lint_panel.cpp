@@ -207,7 +207,9 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
       if (point) at = point;
       if (!at || !scene.camera.sees(*at)) continue;
       sketch.mark(MarkKind::WideRing, *at, kText);
-      sketch.label(*at, one.number(i) + (b.empty() ? " " + name_in_words(a) : ""), kText, 16, 10);
+      const bool is_named = !b.empty() || std::ranges::count(scene.view.focus_on, a) > 0;
+      const std::string name = is_named ? "" : " " + name_in_words(a);
+      sketch.label(*at, one.number(i) + name, kText, 16, 10);
       sketch.explain(kFaultSwatch,
                      one.fault->is_condition ? "the condition holds" : "named by lint", *at);
     }
