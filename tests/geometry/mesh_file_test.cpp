@@ -125,7 +125,7 @@ std::vector<std::array<Vec3d, 3>> corners_of(const FileMesh& mesh) {
   std::vector<std::array<Vec3d, 3>> all;
   for (const auto& [a, b, c] : mesh.triangles) {
     std::array<Vec3d, 3> one = {at(mesh.vertices, a), at(mesh.vertices, b), at(mesh.vertices, c)};
-    std::ranges::rotate(one, std::ranges::min_element(one, before));
+    std::rotate(one.begin(), std::ranges::min_element(one, before), one.end());
     all.push_back(one);
   }
   std::ranges::sort(all, [&](const auto& one, const auto& other) {
