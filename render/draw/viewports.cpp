@@ -132,11 +132,8 @@ std::vector<PairViewport> split_view(const std::vector<trace::Frame>& frames,
 }
 
 std::vector<PairViewport> split_stages(const View& view, const Layout& layout) {
-  std::vector<Layer> stages;  // in drawing order
-  for (std::size_t i = 0; i < kLayerNames.size(); ++i) {
-    const Layer layer = static_cast<Layer>(i);
-    if (layer != Layer::Shapes && view.shows(layer)) stages.push_back(layer);
-  }
+  std::vector<Layer> stages = view.layers;  // in the view's order
+  std::erase(stages, Layer::Shapes);
   if (stages.size() < 2 || stages.size() > kMaxViewports) return {};
   std::vector<PairViewport> viewports;
   for (const Layer layer : stages) {

@@ -105,7 +105,7 @@ struct Study {
   StudyContext context;
   std::string reference;  // what the error is measured against
   std::string error;      // name of the error
-  std::string unit;       // "m"; empty for a ratio. Pictures also use kShare, kTimes and kSum
+  std::string unit;       // "m"; empty for a ratio. Pictures also use the units below
   double resolution = 0;  // errors up to this one are rounding noise
   std::string parameter;  // "points": meaning of the parameter
   std::vector<StudySeries> series;
@@ -134,6 +134,7 @@ struct Study {
 inline constexpr const char* kShare = "share";
 inline constexpr const char* kTimes = "times";
 inline constexpr const char* kSum = "milliseconds in all";
+inline constexpr const char* kMicroseconds = "microseconds";
 
 /// Whether the series belong to panels; curves and maps always do.
 bool has_panels(const Study& study);

@@ -275,7 +275,7 @@ TEST(MinkowskiInset, AlonePanelMagnifiesAFlatTetrahedron) {
   const Staged alone({frame}, view);
   ASSERT_EQ(alone.staging.insets.size(), 1u);
   EXPECT_THAT(label_texts(alone.picture().sketch),
-              testing::Contains(testing::StartsWith("height 10.0 µm, drawn × ")));
+              testing::Contains(testing::StartsWith("same simplex, height 10.0 µm × ")));
   view.inset = false;
   const Staged two({frame}, view);
   ASSERT_EQ(two.staging.insets.size(), 2u);

@@ -143,7 +143,8 @@ TEST(MomentRose, StaysOnTheCanvasWithTheShareOfEachReducer) {
         const std::vector<std::string> texts = words(drawing);
         EXPECT_EQ(std::ranges::count_if(texts,
                                         [](const std::string& text) {
-                                          return text.ends_with(" %") && !text.starts_with("area");
+                                          return text.ends_with(" % left") &&
+                                                 !text.starts_with("area");
                                         }),
                   cells);
         EXPECT_THAT(texts, Not(Contains("deepest lost, tips over")));

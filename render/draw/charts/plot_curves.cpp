@@ -116,8 +116,10 @@ struct LinearUnit {
   double factor;
   const char* suffix;
 };
-constexpr std::array<LinearUnit, 3> kLinearUnits = {
-    {{trace::kShare, 100, " %"}, {trace::kTimes, 1, " ×"}, {trace::kSum, 1, " ms"}}};
+constexpr std::array<LinearUnit, 4> kLinearUnits = {{{trace::kShare, 100, " %"},
+                                                     {trace::kTimes, 1, " ×"},
+                                                     {trace::kSum, 1, " ms"},
+                                                     {trace::kMicroseconds, 1, " µs"}}};
 
 /// None for a logarithmic axis.
 std::optional<LinearUnit> linear_unit(const trace::Study& study) {

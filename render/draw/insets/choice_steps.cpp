@@ -146,6 +146,9 @@ struct ChoicePen : Pen {
       return;
     }
     labels.push_back({at, value, color, winner});
+    if (grows && !by_distance && is_alone && shown == 4)
+      labels.back().text +=
+          " (" + spell_number(2 * measure.value / std::abs(twice_first()), 3) + ")";
   }
 
   /// The sides e and f whose cross product points out of the page, as the normal n does.
@@ -153,6 +156,10 @@ struct ChoicePen : Pen {
     Vec2d from = place(measure.edge[0]), to = place(measure.edge[1]);
     const Vec2d point = place(measure.point);
     if (contactscope::cross(to - from, point - from) > 0) std::swap(from, to);  // y is down
+    const Vec2d n = (from + to + point) / 3 + px(32) * Vec2d(-2.2, 1);
+    ring(pixel(n), 7, 9, kNormal);
+    disc(pixel(n), 2.5, kNormal);
+    text("n, out of the page", pixel(n) + Point2{px(16), px(6)}, Align::Left, kNormal);
     for (const auto& [end, name] : {std::pair{to, "e"}, {point, "f"}}) {
       arrow(from, end - px(kKeptReach) * (end - from).normalized());
       labels.push_back({0.5 * (from + end), name, kText, true});
@@ -178,18 +185,23 @@ struct ChoicePen : Pen {
     labels.push_back(area_label(from, to, point, spell_area(area)));
   }
 
+  /// A kept point in the contact plane, metres.
+  Vec2d on_plane(std::size_t k) const {
+    return plane.axes.along(at(cell.points, kept[k]).position);
+  }
+  double twice_first() const {
+    return contactscope::cross(on_plane(1) - on_plane(0), on_plane(2) - on_plane(0));
+  }
+
   /// The signed area of the triangle of each edge and the fourth point, as in the talk, and its share of
   /// the first triangle's area: the barycentric coordinate of the corner across. Written in a free corner of
   /// the map, if there is one.
   void signed_areas() {
-    constexpr double kTableText = 15, kTableRow = 22, kColumn = 12, kInside = 4;  // pixels
+    constexpr double kTableText = 14, kTableRow = 22, kColumn = 8, kInside = 4;  // pixels
     constexpr std::size_t kColumns = 4;
     using Row = std::array<std::string, kColumns>;
-    const auto on_plane = [&](std::size_t k) {
-      return plane.axes.along(at(cell.points, kept[k]).position);  // metres
-    };
     const Vec2d corners[3] = {on_plane(0), on_plane(1), on_plane(2)}, point = on_plane(3);
-    const double twice = contactscope::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double twice = twice_first();
     std::vector<Row> rows{{"triangle", "signed area", "barycentric", "−: clockwise"}};
     for (std::size_t k = 0; k < 3; ++k) {
       // Along the edges counter-clockwise, as seen.
@@ -235,8 +247,8 @@ struct ChoicePen : Pen {
                        adds ? Weight::Bold : Weight::Regular);
         left += widths[c];
       }
-      placer.block(pixel(table->x, baseline - px(6)), pixel(table->right(), baseline - px(6)),
-                   px(kTableRow));
+      placer.block(pixel(table->x, baseline - px(6)),
+                   pixel(table->right() - px(2 * kColumn), baseline - px(6)), px(0.4 * kTableRow));
       baseline += px(kTableRow);
     }
   }

@@ -137,7 +137,8 @@ struct DifferencePen {
     sketch.mark(MarkKind::Hollow, top, kClipPolygon);
     sketch.measure(foot, top, 2, 9, kText).halo = false;
     sketch.label(
-        top, "height " + spell_length(height) + ", drawn × " + spell_count(std::llround(factor)),
+        top,
+        "same simplex, height " + spell_length(height) + " × " + spell_count(std::llround(factor)),
         kText, 17, 14, search);
   }
 
@@ -184,9 +185,11 @@ struct DifferencePen {
       const Vec3d normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
       const double height = step.next ? normal.dot(difference(*step.next) - corner[0]) : -size;
       const bool level = !shows_search && std::abs(height) <= smallest;
-      const bool seen = !level && height > -smallest;
-      sketch.surfaces.push_back({corner, level ? with_alpha(kSidePlane, 0.4f)
-                                               : with_alpha(kPolytope, seen ? 0.2f : 0.06f)});
+      // Where faces in one plane are the subject, the nearest face alone has the polytope's colour.
+      const bool seen = shows_search && !level && height > -smallest;
+      const float fill = seen ? 0.2f : shows_search ? 0.06f : 0;
+      sketch.surfaces.push_back(
+          {corner, level ? with_alpha(kSidePlane, 0.4f) : with_alpha(kPolytope, fill)});
       if (seen) sketch.explain(kSeenFaceSwatch, "seen by the next point: replaced");
       if (level) sketch.explain(kLevelFaceSwatch, "in one plane with the next point: replaced too");
       for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
@@ -276,10 +279,8 @@ InsetPicture sketch_minkowski(const Inset& inset, const Scene& scene) {
       for (ShapeMesh::Edge& edge : mesh.edges) edge.smooth = false;
     const PlacedShape placed{&mesh, {}, solid.vertices};
     draw_solid(inset.camera, placed, kDifference, sketch);
-    Vec3d middle = Vec3d::Zero();
-    for (const Vec3d& v : solid.vertices) middle += v / static_cast<double>(solid.vertices.size());
-    sketch.center = middle;
-    for (const Vec3d& v : solid.vertices) size = std::max(size, (v - middle).norm());
+    sketch.center = mean_of(solid.vertices);
+    for (const Vec3d& v : solid.vertices) size = std::max(size, (v - sketch.center).norm());
   }
   const bool held = pair != nullptr && holds_origin(*pair);
   sketch.mark(held ? MarkKind::HeldOrigin : MarkKind::Origin, Vec3d::Zero(), kNormal);

@@ -66,7 +66,7 @@ void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark) 
     plane.line(pixel(center), pixel(center + tilt.arm), 2, kNormal, 6);
     // On the longer part of the arm: the kept or the lost one.
     const double share = std::max(tilt.share, 0.0), along = share > 0.5 ? share : 1 + share;
-    plane.text(printed("%.0f %%", 100 * share),
+    plane.text(printed("%.0f %% left", 100 * share),
                pixel(center + 0.5 * along * tilt.arm + Vec2d(0, plane.px(6))), Align::Center,
                kNormal, Weight::Bold, 17, 3);
   }

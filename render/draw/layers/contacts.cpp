@@ -385,7 +385,8 @@ const LayerDrawing kContactsLayer{
     .result = draw_contacts,
     .above =
         [](const Scene& scene, Sketch& sketch) {
-          if (scene.crowded()) draw_crowd(scene, sketch);
+          // There the points only make lines between the pairs dashed.
+          if (scene.crowded() && !scene.shows(Layer::CandidatePairs)) draw_crowd(scene, sketch);
         },
 };
 

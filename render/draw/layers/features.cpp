@@ -13,16 +13,11 @@ constexpr Swatch kTouchingFeatureSwatch{LegendGroup::Faces, 6,
 /// The edge with both ends farthest along `direction`.
 std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape,
                                                   const Vec3d& direction) {
-  std::optional<std::array<Vec3d, 2>> best;
-  double most = -1e300;
-  for (const ShapeMesh::Edge& edge : shape.mesh->edges) {
-    const Vec3d &from = shape.vertex(edge.from), &to = shape.vertex(edge.to);
-    const double reach = direction.dot(from) + direction.dot(to);
-    if (reach <= most) continue;
-    most = reach;
-    best = {from, to};
-  }
-  return best;
+  const auto best = std::ranges::max_element(shape.mesh->edges, {}, [&](const auto& edge) {
+    return direction.dot(shape.vertex(edge.from)) + direction.dot(shape.vertex(edge.to));
+  });
+  if (best == shape.mesh->edges.end()) return std::nullopt;
+  return {{shape.vertex(best->from), shape.vertex(best->to)}};
 }
 
 /// A corner, edge or face of a hull that touches a face of the other shape.
@@ -134,9 +129,8 @@ void draw_region(const PlacedShape& shape, const std::vector<Vec3d>& corners, bo
       for (const Vec3d& corner : corners)
         sketch.face({corner, corner + out[k], corner + out[other]}, fill, border);
   }
-  sketch.explain(kRegionSwatches[of_a ? 0 : 1], of_a
-                                                    ? "Voronoi region of A's feature"
-                                                    : "of B's: no other of its features is nearer");
+  sketch.explain(kRegionSwatches[of_a ? 0 : 1],
+                 of_a ? "Voronoi region of A's feature: nearest to it" : "the same for B");
 }
 
 /// The features that V-Clip compares in this frame, and the path over the middles of those before.
@@ -158,10 +152,12 @@ void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       const Vec3d middle = mean_of(corners);
       if (before && middle == *before) continue;
       if (before) sketch.line(*before, middle, {2, kDropped});
+      if (!before && shown > 0 && shown < last) sketch.label(middle, "start", kText, 16, 8);
       if (k < shown) sketch.mark(MarkKind::Node, middle, kDropped);
       before = middle;
     }
     draw_region(*shape, corners, of_a, sketch);
+    if (shown > 0 && shown < last) sketch.label(mean_of(corners), "now", kText, 16, 8);
     if (corners.size() == 1) {
       sketch.mark(MarkKind::WideRing, corners[0], kIncidentFace);
       ends.push_back(corners[0]);

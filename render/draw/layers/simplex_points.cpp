@@ -55,6 +55,7 @@ void draw_simplex_points(const Scene& scene, const trace::Pair& pair, Sketch& sk
       const std::string text = separated(points[i].numbers, ", ");
       sketch.mark(MarkKind::Dot, points[i].at, color);
       sketch.label(points[i].at, text, color, 15, 10).badge = Badge::Support;
+      sketch.labels.back().leader = points[i].numbers.size() > 1;
     }
   }
   const bool separated = !epa && pair.gjk && pair.gjk->status == "separated";

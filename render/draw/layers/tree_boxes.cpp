@@ -81,14 +81,26 @@ void draw_tree(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       const trace::Box box = drawn_box(scene, visit.box, *mesh);
       if (!found)
         sketch.surfaces.push_back({widest_cut(box, *mesh), with_alpha(kDropped, kLeftOut)});
-      outline(box, mesh->pose,
-              found ? LineStyle{3.0f, kBox} : LineStyle{1.5f, with_alpha(kDropped, 0.7f)}, sketch);
+      outline(box, mesh->pose, found ? LineStyle{3.0f, kBox} : LineStyle{2.5f, kDropped}, sketch);
       sketch.explain(found ? kBoxSwatch : kMissSwatch,
                      found ? "box of triangles that are tested" : "box left out, with all below",
                      mesh->pose.transform(visit.box.upper));
     }
   }
   if (!scene.shows(Layer::Candidates)) draw_query(scene, pair, sketch);
+  const auto left_out = [&](const trace::TreeVisit& visit) {
+    const auto is_within = [&](int corner) {
+      return solid_box(visit.box).contains(at(mesh->traced().vertices, corner));
+    };
+    return std::ranges::count_if(mesh->traced().faces, [&](const std::vector<int>& face) {
+      return !visit.overlaps && std::ranges::all_of(face, is_within);
+    });
+  };
+  const auto most = std::ranges::max_element(pair.tree->visits, {}, left_out);
+  if (most != pair.tree->visits.end() && left_out(*most) > 1)
+    sketch.label(mesh->pose.transform(0.5 * (most->box.lower + most->box.upper)),
+                 "a node: " + std::to_string(left_out(*most)) + " triangles left out at once",
+                 kText, 16, 0);
 }
 
 constexpr Swatch kDeformedSwatch{LegendGroup::Trees, 5, [](auto& pen) { pen.area(kBox, 0, 1.5); }};
