@@ -181,11 +181,7 @@ class ClaimsWatch final : public Watch {
       if (first == nullptr || level(wrong) > level(*first)) first = &wrong;
       if (!wrong.beyond) continue;
       finding.count += wrong.times;
-      OfPair& of_pair = pairs[{wrong.a, wrong.b}];
-      const int before = of_pair.count;
-      if (before == 0)
-        of_pair = {wrong.a, wrong.b, 0, wrong.line, wrong.frame, wrong.said, wrong.is};
-      of_pair.count = before + wrong.times;
+      pairs.try_emplace({wrong.a, wrong.b}, wrong.place()).first->second.count += wrong.times;
       if (!wrong.is_copy)
         marks.add({wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
       for (const Mark& other : wrong.others) marks.add(other, &options_);
@@ -193,14 +189,11 @@ class ClaimsWatch final : public Watch {
     }
     is_enough_ = is_enough_ || first == nullptr || all_gathered_ >= kOften * judged_;
     if (first == nullptr) return finding;
-    finding.is_severe = first->severe;
-    finding.line = first->line, finding.frame = first->frame;
-    finding.a = first->a, finding.b = first->b;
-    finding.said = first->said, finding.is = first->is;
-    finding.size = first->size;
+    put(first->place(), finding);
+    finding.is_severe = first->severe, finding.size = first->size;
     marks.put_in(finding);
     std::ranges::stable_sort(finding.marks, {}, &Mark::frame);
-    for (auto& [names, one] : pairs) finding.pairs.push_back(std::move(one));
+    for (const auto& [names, one] : pairs) finding.pairs.push_back(one);
     if (finding.gross == 0 && finding.count < kOften * judged_) finding.below = kFewAndSmall;
     return finding;
   }
@@ -290,11 +283,9 @@ class ClaimsWatch final : public Watch {
     const bool is_of_types = types.size() == 1 && std::ranges::any_of(types_in_, [&](auto& of) {
                                return of.second != *types.begin();
                              });
-    const std::string where =
-        pairs.size() == 1 && judged_ > judged
-            ? ", of '" + pairs.begin()->first + "' and '" + pairs.begin()->second + "' alone"
-        : is_of_types ? ", in pairs of kind " + in_words(*types.begin())
-                      : "";
+    const auto& [a, b] = *pairs.begin();
+    std::string where = is_of_types ? ", in pairs of kind " + in_words(*types.begin()) : "";
+    if (pairs.size() == 1 && judged_ > judged) where = ", of '" + a + "' and '" + b + "' alone";
     for (const Mistake* mistake : all[e].made)
       named.push_back(
           gathered(mistake->name, mistake->what + where, mistake->remedy, is_explained));

@@ -25,6 +25,7 @@ struct WrongPair {
   static bool is_margin(std::size_t scale) { return scale > 2; }
   /// The shape that a scale is of; none for that of both.
   std::string scaled(std::size_t scale) const { return scale == 2 ? "" : scale % 3 == 0 ? a : b; }
+  OfPair place() const { return {a, b, 0, line, frame, said, is}; }
   double size = 1;  // of the error, relative to the smaller shape
   std::bitset<kMaxExplanations> explained_by{};
   bool gross = false;                          // beyond most of an engine's approximations

@@ -1,7 +1,7 @@
 #include "core/spell.h"
 #include "field/distance_field.h"
-#include "geometry/mesh_seams.h"
 #include "geometry/mesh_file.h"
+#include "geometry/mesh_seams.h"
 #include "geometry/primitives.h"
 #include "scenario/readers.h"
 

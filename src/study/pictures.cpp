@@ -218,7 +218,6 @@ const std::vector<PictureRow>& picture_rows() {
           }),
       row("reducers", "", kReducers, kAll, "", "",
           "Four points kept of eight. Grey: as engines choose.", kOfEight),
-
       row("penetration", "depth", kDepthMethods, kAll, "", "",
           kPenetration,
           {.at = 6, .only_at = true, .left_out = {"; efforts", ""}},
@@ -226,7 +225,6 @@ const std::vector<PictureRow>& picture_rows() {
       row("penetration", "normal", kDepthMethods, kAll, "", "",
           kPenetration,
           {.at = 6, .only_at = true, .left_out = {"; efforts", ""}}),
-
       row("hull_precision", "depth", kPrecisions, kAll, "", "",
           "The separating axis test of hulls of 32 vertices that overlap by 1 to 10 % of their size; "
           "deeper pairs take longer",
@@ -254,7 +252,6 @@ const std::vector<PictureRow>& picture_rows() {
             return "With the last frame's features a contact of hulls of 64 vertices is " +
                    number(scratch / kept) + " times as fast, not ten times";
           }),
-
       row("box_path", "time", kBoxPaths, kAll, "", "",
           "Time of a contact of two boxes, the upper one tilted by 10 degrees",
           {.at = 10, .only_at = true}, &result_of_box_path),

@@ -111,7 +111,7 @@ TEST(FindVerb, CausesOfLintAreFoundWhereTheyWereSeeded) {
                                         Not(HasSubstr("frame_0002.svg"))));
 }
 
-/// What is below a threshold of lint is left out, said, and found with --strict.
+/// Findings below a threshold are left out, counted in a note, and found with --strict.
 TEST(FindVerb, StrictIncludesWhatLintCountsBelowItsThreshold) {
   const TemporaryFolder folder;
   std::string text = crate_trace(std::vector<int>(300, 4));

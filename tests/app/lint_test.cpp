@@ -190,7 +190,7 @@ TEST(LintVerb, AKnownFindingBelowItsThresholdIsNewWhenItIsMoreFrequent) {
 /// With --strict each pair of a known finding counts.
 TEST(LintVerb, AKnownFindingInAnotherPairIsNewWithStrict) {
   const TemporaryFolder folder;
-  // Two crates on the ground, of which one is said to be too deep, in a frame.
+  // Two crates on the ground in a frame; one is reported too deep.
   const auto trace = [&](int wrong) {
     const std::string text = crate("0,1,0", "-0.02");
     nlohmann::json header = nlohmann::json::parse(text.substr(0, text.find('\n')));
@@ -212,7 +212,7 @@ TEST(LintVerb, AKnownFindingInAnotherPairIsNewWithStrict) {
   EXPECT_EQ(run("lint --known '" + known + "' '" + second + "'").exit_code, 0);
   const ProgramRun strict = run("lint --strict --known '" + known + "' '" + second + "'");
   EXPECT_EQ(strict.exit_code, 1);
-  EXPECT_THAT(strict.out, HasSubstr("in a pair of which " + known + " does not know it"));
+  EXPECT_THAT(strict.out, HasSubstr("in a pair where " + known + " has none"));
   EXPECT_THAT(strict.out, HasSubstr("ground-second"));
   const ProgramRun found = run("find --strict --known '" + known + "' '" + second + "' 'lint > 0'");
   EXPECT_EQ(found.exit_code, 0) << found.err;

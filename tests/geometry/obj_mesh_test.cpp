@@ -90,7 +90,7 @@ TEST(ObjMesh, NormalsAndTextureCoordinatesMayBeThereOrMissingOrWrong) {
 
 TEST(ObjMesh, GroupsObjectsLinesAndMaterialsChangeNothing) {
   const FileMesh mesh = load("mtllib none.mtl\no one\n" + kSquare +
-                            "g a\nusemtl red\nf 1 2 3\nl 1 2\ns 1\no two\nusemtl\nf 1 3 4\n");
+                             "g a\nusemtl red\nf 1 2 3\nl 1 2\ns 1\no two\nusemtl\nf 1 3 4\n");
   EXPECT_THAT(mesh.triangles, ElementsAre(std::array{0, 1, 2}, std::array{0, 2, 3}));
 }
 

@@ -89,13 +89,9 @@ TEST_F(Obj, VerticesOfAllGroupsCount) {
             6u);
 }
 
-TEST_F(Obj, AMissingFileIsRefused) {
-  EXPECT_THROW(load_vertices("/nowhere/rock.obj"), InputError);
-}
+TEST_F(Obj, AMissingFileIsRefused) { EXPECT_THROW(load_vertices("/nowhere/rock.obj"), InputError); }
 
-TEST_F(Obj, AFolderIsRefused) {
-  EXPECT_THROW(load_vertices(CONTACTSCOPE_BINARY_DIR), InputError);
-}
+TEST_F(Obj, AFolderIsRefused) { EXPECT_THROW(load_vertices(CONTACTSCOPE_BINARY_DIR), InputError); }
 
 TEST_F(Obj, AnEmptyFileIsRefused) { EXPECT_THAT(refusal_of(""), HasSubstr("empty")); }
 

@@ -112,7 +112,7 @@ bool KnownFindings::knows(const std::string& file, lint::Finding& finding) const
     finding.line = one.line, finding.frame = one.frame;
     finding.a = one.a, finding.b = one.b;
     finding.said = one.said, finding.is = one.is;
-    finding.what += ", in a pair of which " + path_ + " does not know it";
+    finding.what += ", in a pair where " + path_ + " has none";
     return false;
   }
   return lint::is_reported(finding) && found != known_.end() &&

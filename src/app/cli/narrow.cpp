@@ -42,7 +42,7 @@ std::optional<Focus> word_in_focus(const Options& options) {
 
 void show_lint(View& view, const Options& options) {
   if (options.panels || view.kind != ViewKind::Scene) return;
-  // Of the pairs for which a condition holds, the panel `lint` lists as many as there is room for.
+  // The panel `lint` lists as many pairs of the condition as there is room for.
   if (!options.condition.empty()) std::erase(view.panels, Panel::Worst);
   if (!view.shows(Panel::Lint)) view.panels.insert(view.panels.begin(), Panel::Lint);
 }
