@@ -139,6 +139,7 @@ class Bodies {
     this.creases = data.shapes.map(creases);
     this.subject = { value: new THREE.Vector3() };  // the middle of the contacts
     this.opaque = opaque;
+    this.tones = { value: new THREE.Vector3() };
     this.materials = {};
     this.matrices = data.shapes.map(() => new THREE.Matrix4());
     this.here = data.shapes.map(() => false);
@@ -158,7 +159,7 @@ class Bodies {
       const wall = Boolean(isWall[members[0]]), material = this.materials[[open, round, wall]] ??= new THREE.ShaderMaterial({ vertexShader: SURFACE[0], fragmentShader: SURFACE[1],
         transparent: !opaque, depthWrite: opaque, side: open ? THREE.DoubleSide : THREE.FrontSide, extensions: { derivatives: true },
         defines: { ...round && { ROUND: 1 }, ...!round && !open && { FLAT: 1 }, ...wall && { WALL: 1 } },
-        uniforms: { tones: { value: point3(data.tones) }, borders: { value: new THREE.Vector2(...data.tone_borders) },
+        uniforms: { tones: this.tones, borders: { value: new THREE.Vector2(...data.tone_borders) },
           edge: { value: new THREE.Vector3() }, alpha: { value: opaque ? 1 : 0.62 }, window: windowed, subject: this.subject, wall: { value: wall ? this.wall : 0 } } });
       const mesh = Object.assign(new THREE.InstancedMesh(geometry, material, members.length), { frustumCulled: false });
       scene.add(mesh);
@@ -255,11 +256,14 @@ class Bodies {
   draw(shown, chosen) {
     const edge = color.get('edge'), none = new THREE.Matrix4().makeScale(0, 0, 0), { lines, matrices, creases } = this;
     lines.rows = 0;
+    // On a dark ground tones differ more, and what stands out is lighter.
+    const isDark = color.get('ground')[0] < 0.5;
+    this.tones.value.fromArray(data.tones.map(tone => isDark ? 1.15 * tone ** 2.5 : tone));
     for (const { members, mesh, tints } of this.forms) {
       members.forEach((body, i) => {
         const stands = chosen.has(body), wide = stands ? 3 : creases[body].length > 400 ? 0.7 : 1.4;
         mesh.setMatrixAt(i, this.here[body] ? matrices[body] : none);
-        const tint = [...color.get(this.isA[body] ? 'shape_a' : 'shape_b').map(c => Math.fround(stands ? c * 0.86 : c)), (stands ? 2 : 1) + (this.isCut[body] ? 0.25 : 0)];
+        const tint = [...color.get(this.isA[body] ? 'shape_a' : 'shape_b').map(c => Math.fround(stands ? c * (isDark ? 1.35 : 0.86) : c)), (stands ? 2 : 1) + (this.isCut[body] ? 0.25 : 0)];
         if (tint.some((x, k) => x !== tints.array[4 * i + k])) tints.needsUpdate = true;
         tints.array.set(tint, 4 * i);
         if (!shown || !this.here[body] || !creases[body].length) return;

@@ -16,6 +16,7 @@ function table(rows, parent) {
 }
 function button(text, more, parent, act) {
   const made = make('button', text, parent);
+  made.type = 'button';  // in the form of the search, others search
   make('span', ' ' + more, made, 'quiet');
   made.addEventListener('click', act);
 }
@@ -76,7 +77,7 @@ class Facts {
     const canvas = Object.assign(make('canvas', undefined, this.panel, 'spark'), { width: 560, height: 80 }), pen = canvas.getContext('2d');
     pen.fillStyle = this.css('contacts');
     const x = at => 560 * at / Math.max(1, values.length - 1), y = value => 79 - 76 * (value - least) / (most - least);
-    values.forEach((value, at) => Number.isNaN(value) || pen.fillRect(x(at), y(value), Math.max(1.5, 560 / values.length), 80 - y(value)));
+    values.forEach((value, at) => Number.isNaN(value) || pen.fillRect(Math.floor(x(at)), y(value), Math.ceil(560 / values.length) + 1, 80 - y(value)));
     pen.fillStyle = this.css('text');
     pen.fillRect(x(this.frame) - 1, 0, 2.5, 80);
   }

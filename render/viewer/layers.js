@@ -47,7 +47,9 @@ class Layers {
             lines.arrow(at, normal, bodies.size * 0.8 * points.impulse[i] / this.strongest, ink('impulses'), few ? 2.5 : 1.5);
           if (chosen && pointKey(i, record) === selection.point) dots.add(at, ink('text'), RING + STRONG, 12);
         }
-        if (count && on.has('normals') && few) lines.arrow(middle, normal, size * 0.45, ink('normals'), 2.5);
+        const ringed = this.marks.find(mark => mark.point >= manifolds.first[m] && mark.point < manifolds.first[m + 1]);
+        if (count && on.has('normals') && few) lines.arrow(ringed ? ringed.at : middle, normal, size * 0.45, ink('normals'), 2.5);
+        if (ringed && ringed.normal) this.drawOtherNormal(ringed, normal, size * 0.45);
       }
     }
     if (worst >= 0 && on.has('contacts')) {
@@ -60,20 +62,27 @@ class Layers {
       labels.unshift({ at, text, role: 'text', away: 18 });
     }
     for (const marks of [fills, lines, dots]) marks.flush();
-    dots.look(bodies.size * 0.3, this.crowd ? 0.3 : 0.9);
+    dots.look(bodies.size * 0.3, !this.crowd ? 0.9 : selection ? 0.12 : 0.3);
     return labels;
+  }
+
+  /** In grey, the normal that the shapes have where another one is reported, with the angle between them. */
+  drawOtherNormal({ at, normal }, reported, length) {
+    const angle = 2 * Math.asin(Math.min(1, chord(normal, reported) / Math.hypot(...normal) / 2)) * 180 / Math.PI;
+    this.lines.arrow(at, normal, length, color.get('dropped'), 2.5);
+    this.labels.unshift({ at: at.map((x, k) => x + (normal[k] + reported[k]) * length * 0.4), text: angle.toFixed(0) + '\u00b0 from the surface\u2019s normal', role: 'text' });
   }
 
   /** The places that a finding names in a frame: as in pictures a wide ring, about the point, or the smaller body without one. */
   drawFinding(frame, finding) {
     const { bodies } = this, frames = recordsOf(frame);
-    this.marks = (finding ? finding.marked[frame] : []).slice(0, 20).map(({ key, at }) => {
+    this.marks = (finding ? finding.marked[frame] : []).slice(0, 20).map(({ key, at, normal }) => {
       const both = key.split(' ').map(Number).filter(body => body >= 0), body = bodies.bySize(both)[0];
       const record = both.length < 2 ? undefined : frames.find(one => data.pairs[data.contacts.pair[one]].slice(0, 2).every(one => both.includes(one)));
       let nearest = null, least = Infinity;
       if (record !== undefined) eachPoint(record, (i, m) => {
         const far = at ? Math.hypot(...at.map((x, k) => x - positionOf(i)[k])) : data.points.separation[i];
-        if (far < least) [least, nearest] = [far, { at: positionOf(i), text: 'lint: ' + pointName(i, m, record) }];
+        if (far < least) [least, nearest] = [far, { at: positionOf(i), point: i, normal, text: 'lint: ' + pointName(i, m, record) }];
       });
       if (nearest && (!at || least < 0.02 * bodies.size)) return nearest;
       return { at: at || (body === undefined ? null : bodies.sphere(body).slice(0, 3)), text: 'lint' };

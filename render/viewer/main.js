@@ -1,7 +1,18 @@
 // The page: state, drawing, picking, keys, the link's hash.
 
 const ROOM = 1.1;   // around all bodies
+const LISTED = 500;  // records that a search lists
 const AROUND = 8;   // every other frame before and after, for a camera that moves smoothly
+
+/** Delays the page's load event, for programs that wait for it to take a picture. Returns how to end that. */
+function notLoaded() {
+  const frame = Object.assign(make('iframe', undefined, document.body), { hidden: true });
+  frame.contentDocument.open();
+  return () => {
+    frame.contentDocument.close();
+    frame.remove();
+  };
+}
 
 async function start() {
   const [fixed, others] = unpacked(takeText('facts_data'), document.currentScript.textContent);
@@ -103,7 +114,8 @@ async function start() {
     bodies.draw(state.on.has('shapes'), new Set(chosen()));
     labels = layers.draw(frame, state.on, selection, foundRecords, finding);
     facts.show(selection, frame, finding);
-    timeline.draw(frame, found);
+    timeline.draw(frame, found, finding);
+    showHit();
     const title = data.titles[frame] || data.title;
     document.title = finding ? finding.what + ' \u00b7 ' + title : title;
     byId('title').textContent = finding ? finding.what : title;
@@ -165,7 +177,7 @@ async function start() {
     PIXELS.value.set(wide, high);
     orbit.place(wide, high, bodies.reach);
     const isCut = bodies.cut(orbit.camera.position);
-    byId('words').textContent = [layers.marks.length ? '' : null, ...note, state.on.has('shapes') && isCut ? 'walls in front are cut away' : ''].filter((words, i) => words || words === '' && !i).join(' \u00b7 ');
+    byId('words').textContent = [layers.marks.length ? '' : null, ...note, !state.on.has('shapes') ? '' : isCut ? 'walls in front are cut away' : windowed.value.w > 0 ? 'bodies in front are cut open' : ''].filter((words, i) => words || words === '' && !i).join(' \u00b7 ');
     bodies.sort(orbit.camera.position);
     renderer.setClearColor(new THREE.Color(css('ground')));
     renderer.render(scene, orbit.camera);
@@ -235,8 +247,14 @@ async function start() {
 
   // ---- Search and findings
 
-  function jump(list, frame, selection, text, more) {
-    button(text, more, make('li', undefined, list), () => aim(frame, selection, -1));
+  /** Marks what is shown in the list of what was found, and scrolls there. */
+  function showHit() {
+    const list = byId('hits'), { body, pair } = state.selection || {};
+    const shown = hits.slice(0, list.children.length).findIndex(hit => hit[3] === undefined ? hit[0] === state.frame && hit[2] === pair : hit[3] === body);
+    [...list.children].forEach((item, i) => i === shown ? item.setAttribute('aria-current', 'true') : item.removeAttribute('aria-current'));
+    if (shown < 0) return;
+    const { offsetTop, offsetHeight } = list.children[shown], top = offsetTop - list.offsetTop;
+    if (top < list.scrollTop || top + offsetHeight > list.scrollTop + list.clientHeight) list.scrollTop = top - list.clientHeight / 2;
   }
   /** Shows a frame with its selection framed, and a finding. */
   function aim(frame, selection, finding) {
@@ -258,7 +276,7 @@ async function start() {
       const named = bodiesNamed(text);
       if (named.length) {
         byId('found').textContent = named.length > 1 ? named.length + ' bodies' : '1 body';
-        for (const body of named.slice(0, 100)) {
+        for (const body of named.slice(0, LISTED)) {
           hits.push([state.frame, , , body]);
           button(data.shapes[body].name, '', make('li', undefined, byId('hits')), () => aim(state.frame, { body }, -1));
         }
@@ -268,7 +286,9 @@ async function start() {
       found = [...new Set(hits.map(([frame]) => frame))];
       foundRecords = new Set(hits.map(([, record]) => record).filter(record => record >= 0));
       byId('found').textContent = text.trim() ? count(hits.length, 'record') + ' in ' + count(found.length, 'frame') : '';
-      for (const [frame, , pair] of hits.slice(0, 100)) jump(byId('hits'), frame, { pair }, 'frame ' + data.frames[frame] + ': ' + pairName(pair), '');
+      for (const [frame, , pair] of hits.slice(0, LISTED))
+        button('frame ' + data.frames[frame] + ': ' + pairName(pair), '', make('li', undefined, byId('hits')), () => aim(frame, { pair }, -1));
+      if (hits.length > LISTED) make('p', 'and ' + (hits.length - LISTED) + ' more; Find again goes on to them', byId('hits'), 'quiet');
     } catch (error) {
       byId('found').textContent = error.message;
     }
@@ -373,12 +393,15 @@ async function start() {
   requestAnimationFrame(draw);
   window.contactscope = { data, state, orbit, layers, bodies, quantities: Object.keys(QUANTITIES), hash, onScreen, select, search, go, stagesOf, draw: () => { dirty = true; } };  // for tests and the console
   document.documentElement.dataset.ready = 'yes';
+  performance.mark('ready');
 }
 
 function fail(error) {
   byId('title').textContent = 'This page needs WebGL and a browser of 2023 or later: ' + error.message;
   document.documentElement.dataset.ready = 'no';
 }
-if (self.document) start().catch(fail);
-else onmessage = event => unpack(event.data, postMessage).catch(error => postMessage(failureOf(error)));
+if (self.document) {
+  const loaded = notLoaded();
+  start().catch(fail).finally(() => requestAnimationFrame(() => requestAnimationFrame(loaded)));
+} else onmessage = event => unpack(event.data, postMessage).catch(error => postMessage(failureOf(error)));
 })();

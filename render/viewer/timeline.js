@@ -4,7 +4,7 @@ class Timeline {
   /** `place`: an element with a canvas. `css`: the colour of a role. */
   constructor(place, go, css) {
     const canvas = place.querySelector('canvas');
-    Object.assign(this, { canvas, css, found: null, drawn: '' });
+    Object.assign(this, { canvas, css, found: null, finding: null, drawn: '' });
     this.rows = [['overlap', 'contacts', metres], ['points', 'text', digits], ['impulse', 'impulses', newtonSeconds]].filter(([name]) => Math.max(...data.totals[name]) > 0);
     this.texts = this.rows.map(() => make('span', '', place));
     this.now = make('i', undefined, place);
@@ -20,8 +20,8 @@ class Timeline {
   }
   x(frame) { return 6 + (this.canvas.clientWidth - 12) * frame / Math.max(1, data.frames.length - 1); }
 
-  /** `found`: frames with what a search found. */
-  draw(frame, found) {
+  /** `found`: frames with what a search found. `finding`: the open one, whose marks stand out. */
+  draw(frame, found, finding) {
     const { canvas, rows, css } = this, [wide, high] = [canvas.clientWidth, canvas.clientHeight], top = 14, row = (high - top) / Math.max(1, rows.length);
     this.now.style.transform = 'translateX(' + (this.x(frame) - 1) + 'px)';
     rows.forEach(([name, , words], i) => {
@@ -30,8 +30,8 @@ class Timeline {
     });
     // The curves stay as they are while frames change: without a GPU they would take a third of the time.
     const now = [wide, high, devicePixelRatio, css('ground')].join();
-    if (this.found === found && this.drawn === now) return;
-    [this.found, this.drawn] = [found, now];
+    if (this.found === found && this.finding === finding && this.drawn === now) return;
+    Object.assign(this, { found, finding, drawn: now });
     canvas.width = wide * devicePixelRatio;
     canvas.height = high * devicePixelRatio;
     const pen = canvas.getContext('2d');
@@ -51,10 +51,18 @@ class Timeline {
     });
     pen.fillStyle = css('finding');
     for (const at of found) pen.fillRect(this.x(at) - 0.75, 9, 1.5, 5);
-    for (const at of new Set(data.findings.flatMap(finding => finding.places).filter(index => index >= 0))) {
-      pen.beginPath();
-      for (const [x, y] of [[-5, 0], [5, 0], [0, 9]]) pen.lineTo(this.x(at) + x, y);
-      pen.fill();
+    const mark = (findings, wide, high) => {
+      for (const at of new Set(findings.flatMap(one => one.places).filter(index => index >= 0))) {
+        pen.beginPath();
+        for (const [x, y] of [[-wide, 0], [wide, 0], [0, high]]) pen.lineTo(this.x(at) + x, y);
+        pen.fill();
+      }
+    };
+    if (finding) {
+      pen.globalAlpha = 0.3;
+      mark(data.findings, 3, 4);
+      pen.globalAlpha = 1;
     }
+    mark(finding ? [finding] : data.findings, 5, 9);
   }
 }

@@ -70,13 +70,19 @@ ordered_json finding_json(const lint::Finding& finding, const std::map<std::stri
                {"b", finding.b},
                {"said", finding.said},
                {"is", finding.is}});
+  const bool has_normals = std::ranges::any_of(
+      finding.marks, [](const lint::Mark& mark) { return mark.normal.has_value(); });
   for (const lint::Mark& mark : finding.marks) {
     for (const int number :
          {mark.frame, bodies.at(mark.a), mark.b.empty() ? -1 : bodies.at(mark.b)})
       json["marks"].push_back(number);
-    ordered_json& place = json["where"].emplace_back(nullptr);
-    for (int i = 0; mark.at && i < 3; ++i)
-      place.push_back(std::strtod(printed("%.4g", (*mark.at)[i]).c_str(), nullptr));
+    const auto add = [&](const char* list, const std::optional<Vec3d>& vector) {
+      ordered_json& entry = json[list].emplace_back(nullptr);
+      for (int i = 0; vector && i < 3; ++i)
+        entry.push_back(std::strtod(printed("%.4g", (*vector)[i]).c_str(), nullptr));
+    };
+    add("where", mark.at);
+    if (has_normals) add("normals", mark.normal);
   }
   return json;
 }

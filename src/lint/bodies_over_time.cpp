@@ -105,7 +105,9 @@ class BodiesWatch final : public Watch {
     // Nothing that moves comes back to the very same place.
     const double least = rest > 0 ? kLeap : kStir;
     if (out < least * now.size() || out < kTimes * rest) return false;
-    jumps_.wrong(frames, name, "", [&] {
+    Mark mark{frames.now->frame, frames.now->line, name, ""};
+    mark.path = {before.middle(), now.middle()};
+    jumps_.wrong_at(mark, frames, 0, [&] {
       return std::pair("it is " + metres((now.middle() - before.middle()).norm()) +
                            " from its place in the frame before",
                        "in the frame after, it is " +
@@ -137,7 +139,9 @@ class BodiesWatch final : public Watch {
     // The frame that shows the cause, or else what happened.
     const std::string cause = why({frames.before, frames.now}, ", after");
     const trace::Frame& shown = cause.empty() ? *frames.after : *frames.now;
-    flights_.wrong_at({shown.frame, shown.line, name, "", {}}, frames, 0, [&] {
+    Mark mark{shown.frame, shown.line, name, ""};
+    mark.path = {now.middle(), after.middle()};
+    flights_.wrong_at(mark, frames, 0, [&] {
       const std::string most = ", and no body by more than " + metres(fastest_) + " before";
       return cause.empty()
                  ? std::pair("it has moved by " + metres(step) + " since the frame before" +

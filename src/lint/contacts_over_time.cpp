@@ -322,9 +322,11 @@ class ContactsWatch final : public Watch {
     if (is_turned_back) {
       const Jump& jump = *known.normal;
       const double size = 1 - jump.then.normal.dot(jump.before.normal);  // 11 degrees are gross
-      normals_.wrong_at(mark(jump), frames, size, [&] {
+      Mark turned_mark = mark(jump);
+      turned_mark.normal = at.a.pose.rotate(jump.before.normal);
+      normals_.wrong_at(turned_mark, frames, size, [&] {
         return std::pair("normal " + spelled(at.a.pose.rotate(jump.then.normal)) + ", and " +
-                             spelled(at.a.pose.rotate(jump.before.normal)) + " in the frame before",
+                             spelled(*turned_mark.normal) + " in the frame before",
                          "it turns by " + degrees(angle(jump.then, jump.before)) +
                              " degrees, the shapes by " + degrees(jump.turned));
       });

@@ -54,20 +54,21 @@ SurfaceAround surface_around(const Mesh<double>& mesh, const Vec3d& point, doubl
   return around;
 }
 
-/// Radians by which a normal leans away from all that the surface allows: the directions of its
-/// faces, and where an edge or a corner sticks out those between them.
-double lean_from(const SurfaceAround& around, const Vec3d& outward) {
-  if (around.faces.empty() || around.ends) return 0;
-  double least = std::numbers::pi;
+/// The direction nearest to a normal that the surface allows: the normals of its faces, and where
+/// an edge or a corner sticks out those between them.
+Vec3d allowed_normal(const SurfaceAround& around, const Vec3d& outward) {
+  if (around.faces.empty() || around.ends) return outward;
+  const auto by_angle = [&](const Vec3d& face) { return angle_between(face, outward); };
+  const Vec3d nearest = std::ranges::min(around.faces, {}, by_angle);
+  if (!around.is_convex) return nearest;
   Vec3d middle = Vec3d::Zero();
-  for (const Vec3d& face : around.faces) {
-    least = std::min(least, angle_between(face, outward));
-    middle += face;
-  }
-  if (!around.is_convex) return least;
   double spread = 0;
+  for (const Vec3d& face : around.faces) middle += face;
   for (const Vec3d& face : around.faces) spread = std::max(spread, angle_between(face, middle));
-  return std::min(least, std::max(0.0, angle_between(middle, outward) - spread));
+  const double lean = angle_between(middle, outward);
+  if (lean - spread >= by_angle(nearest)) return nearest;
+  if (lean <= spread) return outward;
+  return Eigen::AngleAxisd(spread, middle.cross(outward).normalized()) * middle.normalized();
 }
 
 /// Contacts with an edge between triangles although the surface continues there: the "ghost
@@ -105,15 +106,17 @@ class InternalEdgesWatch final : public Watch {
         if (point.separation > tolerance) continue;
         ++tally_.of;
         const double reach = 2 * std::max(tolerance, -point.separation);
-        const double lean = lean_from(
+        const Vec3d allowed = allowed_normal(
             surface_around(*mesh, placed->pose.inverse_transform(point.position), reach, outward),
             outward);
+        const double lean = angle_between(allowed, outward);
         if (!(lean > kLeaning)) continue;
         frames.explained->try_emplace(&pair, Explained::ButForSigns);
         // By the lean and the speed that it may take.
         const double impulse = point.impulse ? point.impulse->normal : 0;
-        tally_.wrong_at({frames.now->frame, frames.now->line, name, other, point.position}, frames,
-                        1 + std::sin(lean) * impulse, [&] {
+        tally_.wrong_at({frames.now->frame, frames.now->line, name, other, point.position,
+                         away * placed->pose.rotate(allowed)},
+                        frames, 1 + std::sin(lean) * impulse, [&] {
                           return std::pair("normal " + spelled(manifold.normal) + ", at " +
                                                spelled(point.position),
                                            "it leans by " + shown(lean * 180 / std::numbers::pi) +

@@ -9,9 +9,11 @@ namespace contactscope::lint {
 /// An occurrence of a problem, for a timeline.
 struct Mark {
   int frame = 0;
-  int line = 0;               // line in the file, from 1; 0: none
-  std::string a, b;           // shapes; b may be empty
-  std::optional<Vec3d> at{};  // world
+  int line = 0;                   // line in the file, from 1; 0: none
+  std::string a, b;               // shapes; b may be empty
+  std::optional<Vec3d> at{};      // world
+  std::optional<Vec3d> normal{};  // that the shapes have there, world; as the record's, A to B
+  std::optional<std::array<Vec3d, 2>> path{};  // of the body in a step, world
 };
 
 /// Occurrences of a problem in one pair, with the first of them.
@@ -20,6 +22,7 @@ struct OfPair {
   int count = 0;
   int line = 0, frame = 0;
   std::string said{}, is{};
+  std::optional<Vec3d> at{};  // world
 };
 
 /// One problem with all its occurrences.
@@ -34,6 +37,7 @@ struct Finding {
   int frame = 0;
   std::string a{}, b{};         // shapes; b may be empty
   std::string said{}, is{};     // "separation -0.02", "the surfaces are 0.04 m apart"
+  std::optional<Vec3d> at{};    // world
   std::vector<Mark> marks{};    // in the order of frames; of many, an evenly spaced subset, unless
                                 // LintOptions::is_marked chooses the frames
   std::vector<OfPair> pairs{};  // the first 1,000; empty: not counted by pair

@@ -86,7 +86,7 @@ struct Marks {
 inline void put(const OfPair& one, Finding& finding) {
   finding.line = one.line, finding.frame = one.frame;
   finding.a = one.a, finding.b = one.b;
-  finding.said = one.said, finding.is = one.is;
+  finding.said = one.said, finding.is = one.is, finding.at = one.at;
 }
 
 /// Counts occurrences of one problem among all cases, and keeps the first of each pair, and the worst.
@@ -117,7 +117,7 @@ struct Tally {
     if (size < kGross) small = std::max(small, size);
     if (is_first || is_worst) {
       const auto [said, is] = words();
-      const OfPair one{mark.a, mark.b, 1, mark.line, mark.frame, said, is};
+      const OfPair one{mark.a, mark.b, 1, mark.line, mark.frame, said, is, mark.at};
       if (is_first) pairs[key] = one;
       if (count == 0) first = one;
       if (is_worst) worst = one, gross = size;

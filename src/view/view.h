@@ -41,7 +41,9 @@ struct Fault {
   struct Place {
     int frame = 0;
     std::string a, b;  // shapes; b may be empty
-    std::optional<Vec3d> at{};
+    // As of lint::Mark.
+    std::optional<Vec3d> at{}, normal{};
+    std::optional<std::array<Vec3d, 2>> path{};
   };
   std::string cause;            // "flipped_normals"
   int count = 0, of = 0;        // occurrences, out of this many; 0: not counted

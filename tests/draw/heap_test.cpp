@@ -565,6 +565,45 @@ TEST(HeapPanels, RingsOfLintAreAtTheirPointsAndInThePanel) {
   EXPECT_LT(rings.size(), 24u);
 }
 
+/// Both normals where a finding knows the shapes' one, and the step of a body that jumps.
+TEST(HeapPanels, AFindingShowsTheRightNormalOrTheStepOfItsBody) {
+  Heap heap(6);
+  heap.view.focus = Focus::Worst;
+  const trace::Pair& pair = heap.frames[0].pairs[3];
+  const Vec3d point = pair.manifolds[0].points[0].position, up = pair.manifolds[0].normal;
+  const Vec3d right = Eigen::AngleAxisd(0.4, Vec3d::UnitX()) * up;
+  heap.view.faults = {{"internal_edge", 1, 40, 0, {{0, pair.a, pair.b, point, right}}}};
+  const Sketch sketch = sketch_frame(heap.staged(), heap.frames[0]);
+  std::vector<Vec3d> directions;
+  for (const Arrow& arrow : sketch.arrows)
+    if (arrow.from == point) directions.push_back(arrow.direction);
+  EXPECT_THAT(directions, testing::UnorderedElementsAre(up, right));
+  EXPECT_THAT(sketch.labels, Contains(testing::Field(&Label::text, "23°")));
+
+  heap.view.faults = {{"bodies_fly_off", 1, 0, 0, {{0, "crate_3", ""}}}};
+  const std::array path{Vec3d(-3, 1, 0), Vec3d(0, 1, 4)};
+  heap.view.faults[0].places[0].path = path;
+  const Sketch flight = sketch_frame(heap.staged(), heap.frames[0]);
+  const auto step = std::ranges::find(flight.arrows, path[0], &Arrow::from);
+  ASSERT_NE(step, flight.arrows.end());
+  EXPECT_EQ(step->to, path[1]);
+  EXPECT_THAT(flight.labels, Contains(testing::Field(&Label::text, "5.00 m in a step")));
+}
+
+/// The charts of a pair in focus are its own: none where it has no contact.
+TEST(HeapPanels, ChartsOfAPairInFocusAreItsOwn) {
+  Heap heap(6);
+  heap.frames.resize(3, heap.frames[0]);
+  for (int f = 0; f < 3; ++f) heap.frames[std::size_t(f)].frame = f;
+  std::erase_if(heap.frames[2].pairs, [](const trace::Pair& of) { return of.b == "crate_3"; });
+  EXPECT_THAT(panel_texts(heap, Panel::Plots), Contains("35"));
+  heap.view.focus_on = {"crate_3", "floor"};
+  const std::vector<std::string> texts = panel_texts(heap, Panel::Plots);
+  EXPECT_THAT(texts, Contains("crate 3 and floor over time"));
+  EXPECT_THAT(texts, Contains("none"));
+  EXPECT_THAT(texts, Not(Contains("35")));
+}
+
 /// The panel of a heap of few contacts, with the arrows' lengths.
 TEST(HeapPictures, NormalsAreNotLongerThanTheBodies) {
   const auto longest = [](double floor) {

@@ -48,10 +48,20 @@ std::vector<std::pair<std::string, double>> sliders(double size) {
 TEST(InternalEdges, AreNamedWhereAFlatFloorPushesSideways) {
   for (const double size : {0.1, 1.0, 100.0}) {
     for (const auto& [shape, height] : sliders(size)) {
-      const std::vector<Finding> findings = lint(slide(shape, height, grid(size), size, false));
+      const Trace trace = slide(shape, height, grid(size), size, false);
+      const std::vector<Finding> findings = lint(trace);
       ASSERT_FALSE(findings.empty()) << shape;
       EXPECT_EQ(findings.front().cause, "internal_edge") << shape;
       EXPECT_EQ(findings.front().a, "floor") << shape;
+      // The face's normal, as the record has it: from the slider down, or from the floor up.
+      for (const Mark& mark : findings.front().marks) {
+        ASSERT_TRUE(mark.normal) << shape;
+        EXPECT_LT((mark.normal->cwiseAbs() - Vec3d::UnitY()).norm(), 1e-6) << shape;
+        const auto& manifolds = trace.frames[std::size_t(mark.frame)].pairs[0].manifolds;
+        EXPECT_TRUE(std::ranges::any_of(manifolds, [&](const trace::Manifold& manifold) {
+          return manifold.normal.dot(*mark.normal) > 0.1;
+        })) << shape;
+      }
       EXPECT_EQ(causes_of(lint(slide(shape, height, grid(size), size, true))),
                 std::vector<std::string>{})
           << shape;

@@ -64,9 +64,20 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
     seen.shapes = [state.on.has('shapes'), contactscope.bodies.forms[0].mesh.visible];
     contactscope.search('normal_turn > 30 deg and not overlap < 0.1 mm');
     seen.search = [text('found'), text('hits')];
+    document.querySelector('#hits button').click();
+    seen.shown = [data.frames[state.frame], document.querySelector('#hits [aria-current]')?.textContent.trim()];
+    key('Home');
+    seen.elsewhere = document.querySelectorAll('#hits [aria-current]').length;
     contactscope.search('overlap > ');
     seen.wrong = text('found');
-    return seen;)");
+    // Programs that take a picture wait for the load event.
+    return new Promise(done => {
+      const wait = () => {
+        seen.loaded = performance.getEntriesByType('navigation')[0].loadEventStart - performance.getEntriesByName('ready')[0].startTime;
+        seen.loaded > 0 || performance.now() > 20000 ? done(seen) : setTimeout(wait, 10);
+      };
+      wait();
+    });)");
   ASSERT_FALSE(page.contains("error")) << page["error"];
   const CrateOnSlab scene = rising();
   EXPECT_EQ(page["title"], scene.header.title);
@@ -102,6 +113,9 @@ TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   EXPECT_EQ(page["shapes"].dump(), "[false,false]");
   EXPECT_EQ(page["search"][0], "1 record in 1 frame");
   EXPECT_THAT(page["search"][1].get<std::string>(), HasSubstr("frame 3: slab and crate <b>&amp;"));
+  EXPECT_EQ(page["shown"].dump(), R"([3,"frame 3: slab and crate <b>&amp;"])");
+  EXPECT_EQ(page["elsewhere"], 0);
+  EXPECT_GT(page["loaded"].get<double>(), 0);
   EXPECT_THAT(page["wrong"].get<std::string>(), HasSubstr("a quantity is missing at the end"));
 }
 

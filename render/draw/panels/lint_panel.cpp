@@ -15,9 +15,15 @@ constexpr LineStyle kFaultOutline{1.8f, kText, true};
 constexpr std::size_t kNotTimes = 3;  // rows for the axis of time and two places
 // Height of a finding's time, in rows, and from there to its places and to the next finding.
 constexpr double kStrip = 0.4, kBelowStrip = 0.6, kBetween = 0.4;
-constexpr double kMuchLarger = 4;  // than the smallest body: no outline
+constexpr float kNormalLength = 64;  // pixels
+constexpr double kMuchLarger = 4;    // than the smallest body: no outline
 
 constexpr Swatch kFaultSwatch{LegendGroup::Points, 12, [](auto& pen) { pen.dot(5.6, 7.4, kText); }};
+
+constexpr Swatch kSurfaceNormalSwatch{LegendGroup::Forces, 2,
+                                      [](auto& pen) { pen.open_arrow(2, kDropped); }};
+
+constexpr Swatch kPathSwatch{LegendGroup::Motion, 1, [](auto& pen) { pen.arrow(3, 12, kMotion); }};
 
 /// A cause in words; some codes are too short to be understood.
 std::string cause_in_words(const std::string& cause) {
@@ -144,7 +150,7 @@ class LintPanel : public PanelContent {
         const std::string noun = one.places.front()->b.empty() ? "more shape" : "more pair";
         row("and " + counted(one.places.size() - one.listed(), noun, noun + "s"));
       }
-      if (has_time) sheet.skip(static_cast<float>(kBetween * height));
+      if (has_time) sheet.skip_to(sheet.rest().y + kBetween * height);
     }
     if (times_ > 0) {
       const Rect rest = sheet.rest();
@@ -182,12 +188,50 @@ class LintPanel : public PanelContent {
   const bool by_overlap_ = staging_.view.focus == Focus::Worst && !staging_.view.first_fault();
 };
 
+/// The reported normal at a place, and the one that the shapes have there.
+void draw_both_normals(const trace::Pair& pair, const Vec3d& at, const Vec3d& normal,
+                       Sketch& sketch) {
+  const auto of_manifold = [&](const trace::Manifold& manifold) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const trace::Point& point : manifold.points)
+      least = std::min(least, (point.position - at).norm());
+    return least;
+  };
+  if (pair.manifolds.empty()) return;
+  // If several manifolds have the point, the one that lint names.
+  const double nearest = of_manifold(std::ranges::min(pair.manifolds, {}, of_manifold));
+  const auto cosine = [&](const trace::Manifold& manifold) {
+    return of_manifold(manifold) > nearest ? 2 : manifold.normal.dot(normal);
+  };
+  const Vec3d reported = std::ranges::min(pair.manifolds, {}, cosine).normal;
+  sketch.arrow(at, normal, kNormalLength, 2.5f, 11, kDropped).open = true;
+  const bool is_drawn = std::ranges::any_of(sketch.arrows, [&](const Arrow& arrow) {
+    return arrow.from == at && arrow.direction == reported;
+  });
+  if (!is_drawn) sketch.arrow(at, reported, kNormalLength, 3, 13, kNormal);
+  const double angle = std::atan2(reported.cross(normal).norm(), reported.dot(normal));
+  sketch.label(at, printed("%.0f°", angle * 180 / std::numbers::pi), kText, 16, 30,
+               (reported + normal).normalized());
+  sketch.explain(kNormalSwatch, "normal, from A to B", at);
+  sketch.explain(kSurfaceNormalSwatch, "normal that the shapes have there", at);
+}
+
+/// Where a body was, and where it is a step later.
+void draw_path(const std::array<Vec3d, 2>& path, Sketch& sketch) {
+  const Vec3d step = path[1] - path[0];
+  sketch.arrow_to_scale(path[0], step, 3, 12, kMotion);
+  sketch.label(path[0], spell_length(step.norm()) + " in a step", kMotion, 16, 14,
+               step.normalized());
+  sketch.explain(kPathSwatch, "step of a body", path[0]);
+}
+
 }  // namespace
 
 void draw_faults(const Scene& scene, Sketch& sketch) {
   for (const InFrame& one : faults_in(scene.view, scene.frame.frame)) {
     for (std::size_t i = 0; i < one.listed(); ++i) {
-      const auto& [frame, a, b, point] = *one.places[i];
+      const Fault::Place& place = *one.places[i];
+      const std::string &a = place.a, &b = place.b;
       sketch.begin("lint", b.empty() ? a : a + " " + b);
       std::optional<Vec3d> at;
       double least = std::numeric_limits<double>::infinity();
@@ -201,11 +245,16 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
         if (shape->mesh->radius < least) at = mean_of(shape->vertices);
         least = std::min(least, shape->mesh->radius);
       }
-      for (const trace::Pair& pair : scene.frame.pairs)
-        if (pair.a == a && pair.b == b)
-          if (const auto deepest = deepest_contact(pair)) at = deepest->point->position;
-      if (point) at = point;
+      const auto pair = std::ranges::find_if(scene.frame.pairs, [&](const trace::Pair& of) {
+        return std::minmax(of.a, of.b) == std::minmax(a, b);
+      });
+      const bool is_reported = pair != scene.frame.pairs.end();
+      if (is_reported)
+        if (const auto deepest = deepest_contact(*pair)) at = deepest->point->position;
+      if (place.at) at = place.at;
       if (!at || !scene.camera.sees(*at)) continue;
+      if (is_reported && place.normal) draw_both_normals(*pair, *at, *place.normal, sketch);
+      if (place.path) draw_path(*place.path, sketch);
       sketch.mark(MarkKind::WideRing, *at, kText);
       const bool is_named = !b.empty() || std::ranges::count(scene.view.focus_on, a) > 0;
       const std::string name = is_named ? "" : " " + name_in_words(a);

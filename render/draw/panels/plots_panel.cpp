@@ -1,4 +1,5 @@
 #include "draw/panels/panel.h"
+#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -41,7 +42,7 @@ class PlotsPanel : public PanelContent {
   std::string lay_out(const PanelMoment& moment, Sheet& sheet) override {
     if (!is_gathered_) gather();
     sheet.enlarge(zoom_);
-    sheet.heading("over time");
+    sheet.heading(subject_ + "over time");
     if (charts_.empty()) return {};
     const Pen pen(sheet.pen().drawing(), zoom_ * sheet.pen().scale(), kChartText);
     const Rect rect = sheet.rest();
@@ -76,6 +77,7 @@ class PlotsPanel : public PanelContent {
   /// Charts of pair quantities have a line for each pair; other quantities belong to no pair.
   void gather() {
     is_gathered_ = true;
+    if (staging_.scales.heap && staging_.view.focus_on.size() == 2) return gather_pair();
     const std::vector<TimeSeries> all = time_series(frames_, false);
     // If the view shows loads, impulses are divided by the time step and shown as forces.
     const double step = staging_.view.shows(Layer::Loads) ? staging_.scales.step : 0;
@@ -119,6 +121,32 @@ class PlotsPanel : public PanelContent {
       if (chart == &points && same_points && frames_.size() > 1) continue;
       chart->fit();
       chart->ahead = staging_.scales.heap;
+      charts_.push_back(std::move(*chart));
+    }
+  }
+
+  /// In a heap, of the two shapes in focus alone.
+  void gather_pair() {
+    const std::string &a = staging_.view.focus_on[0], &b = staging_.view.focus_on[1];
+    subject_ = name_in_words(a) + " and " + name_in_words(b) + " ";
+    SeriesChart overlap{"overlap", "m"}, points{"contact points", ""};
+    overlap.curves.resize(1), points.curves.resize(1);
+    points.steps = true;
+    for (const trace::Frame& frame : frames_) {
+      double deepest = std::numeric_limits<double>::quiet_NaN(), count = 0;
+      for (const trace::Pair& pair : frame.pairs) {
+        if (std::minmax(pair.a, pair.b) != std::minmax(a, b)) continue;
+        for (const PairPoint& one : all_points(pair))
+          deepest = std::fmax(deepest, std::max(0.0, -one.point->separation)), ++count;
+      }
+      overlap.curves[0].push_back(deepest);
+      points.curves[0].push_back(count);
+    }
+    for (const auto& [chart, kind] :
+         {std::pair{&overlap, Chart::Overlap}, {&points, Chart::Points}}) {
+      if (!staging_.view.shows(kind)) continue;
+      chart->fit();
+      chart->ahead = true;
       charts_.push_back(std::move(*chart));
     }
   }
@@ -207,6 +235,7 @@ class PlotsPanel : public PanelContent {
   std::vector<SeriesChart> charts_;
   std::vector<std::string> names_;      // of the curves
   std::vector<std::string> constants_;  // texts for quantities that never change
+  std::string subject_;                 // of all charts; empty: of the scene
   bool is_gathered_ = false;
   mutable std::optional<IdHistory> ids_;
 };

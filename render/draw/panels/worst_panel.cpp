@@ -32,7 +32,7 @@ class WorstPanel : public PanelContent {
  public:
   WorstPanel(const Staging& staging, const Frames& frames) : PanelContent(staging, frames) {
     for (const trace::Frame& frame : frames) {
-      most_ = std::clamp(frame.pairs.size(), most_, kRankedRows);
+      most_ = std::clamp(frame.pairs.size(), most_, most_rows_);
       for (const trace::Pair& pair : frame.pairs)
         has_impulses_ = has_impulses_ || impulse_of(pair) > 0;
     }
@@ -55,7 +55,7 @@ class WorstPanel : public PanelContent {
                   (counts.pairs == 1 ? " pair" : " pairs") + " in contact");
     std::vector<Ranked> all = mapped(rankings(), [&](const Ranking& ranking) {
       return Ranked{ranking,
-                    ranked_pairs(frame, ranking.by, kRankedRows, staging_.meshes, before(moment))};
+                    ranked_pairs(frame, ranking.by, most_rows_, staging_.meshes, before(moment))};
     });
     const std::size_t left_out = divide(all, sheet);
     for (const Ranked& one : all) draw_ranking(one, moment, sheet);
@@ -66,6 +66,7 @@ class WorstPanel : public PanelContent {
   std::vector<Ranking> rankings() const {
     std::vector<Ranking> shown;
     for (const Ranking& ranking : kRankings) {
+      if (is_of_pair_ && ranking.by != Rank::Overlap) continue;
       if (ranking.by == Rank::Impulse && !has_impulses_) continue;
       if (ranking.by == Rank::Change && frames_.size() < 2) continue;
       shown.push_back(ranking);
@@ -166,6 +167,9 @@ class WorstPanel : public PanelContent {
   }
 
   bool has_impulses_ = false;
+  /// A pair in focus has the room for its charts.
+  const bool is_of_pair_ = staging_.view.focus_on.size() == 2;
+  const std::size_t most_rows_ = is_of_pair_ ? kFewRankedRows : kRankedRows;
   std::size_t most_ = 1;  // rows of a ranking
 };
 

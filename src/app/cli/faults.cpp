@@ -209,10 +209,11 @@ std::string add_faults(const Input& input, const std::vector<int>& drawn, const 
     if (!one.said.empty()) fault.detail = one.said + "; " + one.is;
     for (const lint::Mark& mark : one.marks)
       if (is_drawn(mark.frame) && is_of_pair(mark.a, mark.b))
-        fault.places.push_back({mark.frame, mark.a, mark.b, mark.at});
+        fault.places.push_back({mark.frame, mark.a, mark.b, mark.at, mark.normal, mark.path});
     if (first.empty() && !one.a.empty() && !fault.places.empty()) first = one.what;
     std::stable_partition(fault.places.begin(), fault.places.end(), [&](const Fault::Place& place) {
-      return place.frame == one.frame && place.a == one.a && place.b == one.b;
+      return place.frame == one.frame && place.a == one.a && place.b == one.b &&
+             (!one.at || place.at == one.at);
     });
   }
   for (View& view : views)
