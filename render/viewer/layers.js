@@ -22,6 +22,7 @@ class Layers {
   draw(frame, on, selection, found, finding) {
     const { lines, dots, fills, bodies } = this, { contacts, manifolds, points } = data, ink = role => color.get(role), worst = data.totals.worst[frame];
     const labels = this.labels = [];
+    this.hasOther = false;
     for (const marks of [lines, dots, fills]) marks.rows = 0;
     this.drawFinding(frame, finding);
     this.drawBodies(frame, on, selection);
@@ -49,7 +50,7 @@ class Layers {
         }
         const ringed = this.marks.find(mark => mark.point >= manifolds.first[m] && mark.point < manifolds.first[m + 1]);
         if (count && on.has('normals') && few) lines.arrow(ringed ? ringed.at : middle, normal, size * 0.45, ink('normals'), 2.5);
-        if (ringed && ringed.normal) this.drawOtherNormal(ringed, normal, size * 0.45);
+        if (chosen && ringed && ringed.normal) this.drawOtherNormal(ringed, normal, size * 0.45);
       }
     }
     if (worst >= 0 && on.has('contacts')) {
@@ -70,7 +71,8 @@ class Layers {
   drawOtherNormal({ at, normal }, reported, length) {
     const angle = 2 * Math.asin(Math.min(1, chord(normal, reported) / Math.hypot(...normal) / 2)) * 180 / Math.PI;
     this.lines.arrow(at, normal, length, color.get('dropped'), 2.5);
-    this.labels.unshift({ at: at.map((x, k) => x + (normal[k] + reported[k]) * length * 0.4), text: angle.toFixed(0) + '\u00b0 from the surface\u2019s normal', role: 'text' });
+    this.hasOther = true;
+    this.labels.unshift({ at: at.map((x, k) => x + (normal[k] + reported[k]) * length * 0.4), text: angle.toFixed(0) + '\u00b0', role: 'text' });
   }
 
   /** The places that a finding names in a frame: as in pictures a wide ring, about the point, or the smaller body without one. */
