@@ -130,7 +130,7 @@ PictureResult result_of_thresholds, result_of_broad_phases, result_of_updates, r
     result_of_bullets, result_of_fields, result_of_building, result_of_points, result_of_plate,
     result_of_jitter, result_of_max_points, result_of_ratios, result_of_energy, result_of_distance,
     result_of_overlaps, result_of_depths, result_of_trees, result_of_box_path, result_of_precision,
-    result_of_pairs, result_of_gains;
+    result_of_pairs, result_of_gains, result_of_axes;
 
 }  // namespace record
 }  // namespace contactscope

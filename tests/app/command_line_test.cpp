@@ -377,6 +377,22 @@ TEST(List, APageShowsTheScenesOfADocumentInItsOrder) {
     EXPECT_THAT(page, testing::Not(HasSubstr(network)));
 }
 
+TEST(List, ADocumentOfTheSourcesCanBeNamedAfterThem) {
+  for (const std::string name : {"gregorius", "catto", "survey", "lecture", "project"}) {
+    const ProgramRun after = run("list sources " + name);
+    EXPECT_EQ(after.exit_code, 0) << after.err;
+    EXPECT_EQ(after.out, run("list " + name).out);
+    EXPECT_LT(after.out.size(), run("list sources").out.size() / 2);
+  }
+  const ProgramRun unknown = run("list sources gregorus");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean 'gregorius'"));
+  const ProgramRun elsewhere = run("list layers catto");
+  EXPECT_EQ(elsewhere.exit_code, 2);
+  EXPECT_THAT(elsewhere.err, HasSubstr("write list sources catto"));
+  EXPECT_EQ(run("list sources catto survey").exit_code, 2);
+}
+
 TEST(List, OnlyTheSourcesAndTheCourseArePages) {
   for (const char* wrong : {"list --format html", "list layers --format html",
                             "list sources --format svg", "list sources --format html,svg"}) {

@@ -125,7 +125,7 @@ TEST(CodePanel, ShowsTheNumbersOfRandomRecordsAndMarksWhatDecided) {
       EXPECT_TRUE(edges.empty());
       EXPECT_EQ(value_of(drawing, "    CreateFaceContact(" + name + ")"),
                 "face " + std::to_string(face));
-      EXPECT_THAT(texts(drawing), Not(Contains("else CreateEdgeContact()")));
+      EXPECT_EQ(value_of(drawing, "else CreateEdgeContact()"), "");
     } else {
       EXPECT_TRUE(faces.empty());
       EXPECT_THAT(edges, testing::ElementsAre("else CreateEdgeContact()"));
@@ -144,8 +144,8 @@ TEST(CodePanel, PutsBsFacesFirstWhereTheyWerePreferred) {
   scene.sat.chosen = "face_b";
   scene.pair().sat = scene.sat;
   const std::vector<std::string> all = texts(code_of(scene));
-  EXPECT_THAT(all, Contains("    CreateFaceContact(B)"));
-  EXPECT_THAT(all, Not(Contains("    CreateFaceContact(A)")));
+  EXPECT_LT(std::ranges::find(all, "    CreateFaceContact(B)"),
+            std::ranges::find(all, "    CreateFaceContact(A)"));
 }
 
 TEST(CodePanel, EndsWithTheQueryThatSeparates) {

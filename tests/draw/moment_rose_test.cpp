@@ -148,6 +148,11 @@ TEST(MomentRose, StaysOnTheCanvasWithTheShareOfEachReducer) {
                                         }),
                   cells);
         EXPECT_THAT(texts, Not(Contains("deepest lost, tips over")));
+        const auto explained = std::ranges::count(texts, "radius: moment resisted");
+        EXPECT_LE(explained, cells < 18);  // once, where there is room
+        if (cells == 1 && frames == 1 && width == 1280) {
+          EXPECT_EQ(explained, 1);
+        }
       }
     }
   }

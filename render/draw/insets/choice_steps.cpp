@@ -39,7 +39,12 @@ struct ChoicePen : Pen {
 
   void run() {
     for (const Point2& place : places) placer.block(place, px(9));
-    if (shown > 3) kept_before();
+    if (shown > 3) {
+      const std::vector<Vec2d> rim = convex_polygon(mapped(places, flat));
+      for (std::size_t i = 0; is_alone && i < rim.size(); ++i)
+        placer.block(pixel(rim[i]), pixel(rim[(i + 1) % rim.size()]), px(4));
+      kept_before();
+    }
     if (shown == 3) side(kept[0], kept[1], 2.5, kContact);
     if (shown > 0 && shown <= choices.size()) {
       const trace::Choice& choice = choices[shown - 1];

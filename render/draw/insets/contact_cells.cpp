@@ -146,7 +146,7 @@ std::vector<LegendEntry> ContactCells::legend() const {
     add(true, kKeptSwatch, "kept");
     add(true, kWholeRoseSwatch, "moment that all points resist, by direction");
     add(true, kKeptRoseSwatch, "moment that the kept points resist");
-    add(reduces, kTiltAxisSwatch, "weakest tilt: over this axis");
+    add(reduces, kTiltAxisSwatch, "worst tilt: over this axis");
     return entries;
   }
   const bool has_best = any_cell([](const ContactCell& cell) { return cell.best.size() > 2; });
@@ -245,7 +245,7 @@ void ContactCells::draw_strip_axis(const Rect& strip, std::size_t moment, const 
 }
 
 void ContactCells::draw_map(const ContactCell& cell, const ContactPlane& plane) const {
-  if (rose_) return draw_rose(plane, cell, grid_.mark);
+  if (rose_) return draw_rose(plane, cell, grid_.mark, &cell == &all_cells().front().get());
   const std::vector<Point2> places = plane.at(cell.points);
   const auto polygon_of = [&](const std::vector<int>& points) {
     return convex_polygon(mapped(points, [&](int i) { return flat(at(places, i)); }));

@@ -155,8 +155,8 @@ struct WeakestTilt {
 WeakestTilt weakest_tilt(const std::vector<Vec2d>& all, const std::vector<Vec2d>& kept);
 
 /// Draws these moments as a polar diagram in the scale of the map, and the axis and share of the
-/// weakest tilt. `mark`: size of the points' marks.
-void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark);
+/// weakest tilt. `mark`: size of the points' marks. `explains`: says what a radius is.
+void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark, bool explains);
 
 /// Draws the first `shown` choices of a reducer, the last one with its candidates. Gregorius 2015,
 /// "Contact Point Reduction: 1st Point" to "4th Point (4)": the value of each candidate, and why

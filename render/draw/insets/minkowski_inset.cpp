@@ -24,6 +24,10 @@ constexpr Swatch kSeenFaceSwatch{LegendGroup::Differences, 4,
 constexpr Swatch kNearestFaceSwatch{LegendGroup::Differences, 3,
                                     [](auto& pen) { pen.area(kPolytope, 0.35f, 2.5); }};
 
+constexpr double kSliver = 0.12;  // height of a thin triangle over its longest side, at most
+constexpr Swatch kSliverSwatch{LegendGroup::Differences, 5,
+                               [](auto& pen) { pen.area(kContact, 0.5f, 2); }};
+
 constexpr Swatch kSearchSwatch{LegendGroup::Differences, 5,
                                [](auto& pen) { pen.open_arrow(1.8, kText); }};
 constexpr Swatch kFarthestSwatch{LegendGroup::Differences, 6,
@@ -178,7 +182,7 @@ struct DifferencePen {
     const auto triangle_of = [&](const std::array<int, 3>& face) {
       return mapped(face, [&](int vertex) { return at(points, vertex); });
     };
-    std::set<std::pair<int, int>> edges;
+    std::set<std::pair<int, int>> edges, of_level, of_seen;
     std::set<int> corners;  // of faces: other vertices are inside by now
     for (const std::array<int, 3>& face : polytope.faces) {
       const std::vector<Vec3d> corner = triangle_of(face);
@@ -192,11 +196,23 @@ struct DifferencePen {
           {corner, level ? with_alpha(kSidePlane, 0.4f) : with_alpha(kPolytope, fill)});
       if (seen) sketch.explain(kSeenFaceSwatch, "seen by the next point: replaced");
       if (level) sketch.explain(kLevelFaceSwatch, "in one plane with the next point: replaced too");
-      for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(face[i], face[(i + 1) % 3]));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::pair<int, int> edge = std::minmax(face[i], face[(i + 1) % 3]);
+        edges.insert(edge);
+        if (level || height > smallest) (level ? of_level : of_seen).insert(edge);
+      }
       corners.insert(face.begin(), face.end());
     }
     for (const auto& [from, to] : edges)
       sketch.line(at(points, from), at(points, to), {1.5f, with_alpha(kPolytope, 0.75f)});
+    for (const auto& [from, to] : of_level) {  // new faces, if only the others were replaced
+      const Vec3d first = at(points, from), along = at(points, to) - first;
+      const Vec3d tip = step.next ? difference(*step.next) : first;
+      const double height = along.normalized().cross(tip - first).norm();
+      if (!of_seen.contains({from, to}) || height > kSliver * along.norm()) continue;
+      sketch.face({first, first + along, tip}, with_alpha(kContact, 0.5f), {2, kContact});
+      sketch.explain(kSliverSwatch, "sliver, if these were left");
+    }
     for (const int corner : corners) sketch.mark(MarkKind::Core, at(points, corner), kPolytope);
     sketch.explain(kPolytopeSwatch, "polytope",
                    corners.empty() ? std::optional<Vec3d>() : at(points, *corners.begin()));

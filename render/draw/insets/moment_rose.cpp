@@ -41,7 +41,7 @@ WeakestTilt weakest_tilt(const std::vector<Vec2d>& all, const std::vector<Vec2d>
   return weakest;
 }
 
-void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark) {
+void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark, bool explains) {
   const std::vector<Vec2d> all = mapped(plane.at(cell.points), flat);
   const std::vector<Vec2d> kept = mapped(cell.kept, [&](int i) { return at(all, i); });
   const Vec2d center = mean_of(all);
@@ -69,6 +69,17 @@ void draw_rose(const ContactPlane& plane, const ContactCell& cell, double mark) 
     plane.text(printed("%.0f %% left", 100 * share),
                pixel(center + 0.5 * along * tilt.arm + Vec2d(0, plane.px(6))), Align::Center,
                kNormal, Weight::Bold, 17, 3);
+  }
+  // The longest radius, which both roses share, in words if they fit.
+  const auto reach = [&](const Vec2d& point) { return (point - center).norm(); };
+  const char* const words = "radius: moment resisted";
+  if (explains && !kept.empty() && plane.width_of(words, Weight::Bold) < 0.6 * plane.map.width) {
+    const Vec2d tip = *std::ranges::max_element(kept, {}, reach),
+                above = tip - Vec2d(0, plane.px(74));
+    plane.line(pixel(center), pixel(tip), 2, kContact);
+    plane.line(pixel(tip), pixel(above), 1, kContact);
+    plane.text(words, pixel(plane.map.right(), above.y() - plane.px(6)), Align::Right, kContact,
+               Weight::Bold, 15, 3);
   }
   draw_quartered_disc(pixel(center), plane.px(9 * mark), plane.px(1.5), plane.drawing());
   plane.text("load", pixel(center + Vec2d(-plane.px(9 * mark + 5), plane.px(5))), Align::Right,

@@ -154,9 +154,10 @@ void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       if (before) sketch.line(*before, middle, {2, kDropped});
       if (!before && shown > 0 && shown < last) sketch.label(middle, "start", kText, 16, 8);
       if (k < shown) sketch.mark(MarkKind::Node, middle, kDropped);
+      if (shown == last) sketch.label(middle, std::to_string(k + 1), kDropped, 15, 8);
       before = middle;
     }
-    draw_region(*shape, corners, of_a, sketch);
+    if (of_a || shown < last) draw_region(*shape, corners, of_a, sketch);
     if (shown > 0 && shown < last) sketch.label(mean_of(corners), "now", kText, 16, 8);
     if (corners.size() == 1) {
       sketch.mark(MarkKind::WideRing, corners[0], kIncidentFace);
@@ -171,7 +172,9 @@ void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
                      ? "features that are compared, " +
                            spell_length(at(walk, shown).distance, 0, scene.scales.length) + " apart"
                      : "closest features");
-  if (shown > 0) sketch.explain(kWalkSwatch, "middles of the features before");
+  if (shown > 0)
+    sketch.explain(kWalkSwatch, shown == last ? "middles of the features, by step"
+                                              : "middles of the features before");
   const trace::Query& query = *pair.query;
   if (shown == last && query.point_a && query.point_b) ends = {*query.point_a, *query.point_b};
   if (ends.size() == 2)

@@ -2,7 +2,7 @@
 #include "draw/scene/pairs.h"
 
 /// The code of Gregorius 2015, "Overlap Test (3D)" and "Contact Creation", with the numbers that a
-/// frame's record has for a pair, up to the branch that is taken.
+/// frame's record has for a pair. Branches after the one that is taken are grey.
 namespace contactscope::draw {
 namespace {
 
@@ -61,6 +61,7 @@ std::vector<CodeLine> code_of(const Staging& staging, const trace::Frame& frame,
   };
   if (sat.face_a && sat.chosen == "face_b" && is_within(queries[0]))
     std::swap(queries[0], queries[1]);
+  bool is_decided = false;
   for (const AxisQuery& query : queries) {
     const bool is_chosen = sat.chosen == query.axis, is_edge = query.axis == "edge_edge";
     std::optional<Color> color;
@@ -69,13 +70,14 @@ std::vector<CodeLine> code_of(const Staging& staging, const trace::Frame& frame,
       const std::string limit = sat.tolerance ? length(*sat.tolerance) : "not recorded";
       const char* const answer = is_chosen ? ": yes" : is_within(query) ? ": not so deep" : ": no";
       const std::string branch = &query == &queries.front() ? "if" : "else if";
-      lines.push_back({branch + " (best − " + query.name + " ≤ tolerance)",
-                       length(best - *query.separation) + " ≤ " + limit + answer, color});
+      const std::string value = length(best - *query.separation) + " ≤ " + limit + answer;
+      lines.push_back({branch + " (best − " + query.name + " ≤ tolerance)", is_decided ? "" : value,
+                       color, is_decided});
     }
     lines.push_back({is_edge ? "else CreateEdgeContact()"
                              : std::string("    CreateFaceContact(") + query.name.back() + ")",
-                     query.features, color, !is_chosen});
-    if (is_chosen) break;
+                     is_decided ? "" : query.features, color, !is_chosen});
+    is_decided = is_decided || is_chosen;
   }
   return lines;
 }

@@ -203,7 +203,12 @@ std::vector<Item> items_of(const std::string& what, const Options& options) {
   });
 }
 
-ExitCode run_list(const Options& options) {
+ExitCode run_list(const Options& given) {
+  Options options = given;
+  if (!given.document.empty()) options.what = given.document;
+  if (options.what != given.what && given.what != "sources")
+    throw UsageError("'" + given.document + "' is a document of sources; write list sources " +
+                     given.document);
   if (options.formats != Options{}.formats) {
     if (options.formats != std::vector<std::string>{"html"} || !is_map(options.what))
       throw UsageError(

@@ -91,9 +91,11 @@ const std::vector<Option>& option_table() {
        "Findings, such as hull/face_contact/frame_0012, folders, or patterns with *"},
       {"[WHAT]", "", "list", &Options::what,
        "scenarios, reducers, broad_phases, continuous, layers, panels, studies; words, the texts "
-       "in pictures; sources, what shows each claim of all documents, or of one: gregorius, catto, "
-       "survey, lecture, project; or course, the scenes in the order to learn from",
+       "in pictures; sources, what shows each claim of the documents; one of these; or course, the "
+       "scenes in the order to learn from",
        only(kListed)},
+      {"[DOCUMENT]", "", "list", &Options::document, "After sources: only the claims of this one",
+       only(kDocumentNames)},
       {"[VERB]", "", "help", &Options::what,
        "A verb that contactscope --help lists; or scenario, for all keys of a scenario. trace also "
        "prints those of a trace"},

@@ -139,6 +139,7 @@ struct CompareOptions {
 struct Options : PictureOptions, CheckOptions, LintOptions, CompareOptions {
   std::vector<std::string> scenarios;  // or other files, folders or names
   std::string what;                    // argument of `list` and `help`
+  std::string document;                // second argument of `list`
   std::string scenario_root = "scenarios";
   std::string out = "out";
   std::optional<FrameRange> frames;
@@ -215,6 +216,8 @@ inline const std::vector<std::string> kListed = {
     "scenarios", "reducers", "broad_phases", "continuous", "layers",
     "panels",    "studies",  "words",        "sources",    "gregorius",
     "catto",     "survey",   "lecture",      "project",    "course"};
+inline const std::vector<std::string> kDocumentNames = {"gregorius", "catto", "survey", "lecture",
+                                                        "project"};
 
 /// Uses $CONTACTSCOPE_BACKEND, if it is set. Throws UsageError.
 void use_backend_of_environment(Options& options);
