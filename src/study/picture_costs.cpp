@@ -109,9 +109,9 @@ std::string result_of_axes(Picture& plot) {
   for (StudySeries& line : plot.lines) {
     const double first = *line.points.front().error;
     for (StudyPoint& point : line.points) *point.error /= first;
-    line.points.back().mark = number(*line.points.back().error) + " ×";
+    line.points.back().mark = printed("%.3g ×", *line.points.back().error);
   }
-  plot.lines[1].method = "only pairs whose arcs cross on the Gauss map";
+  plot.lines[1].method = "a walk finds the pairs that matter";
   const auto spelled = [&](std::size_t line) { return plot.lines[line].points.back().mark; };
   return "With " + spelled(2) + " the pairs of edges the test takes " + spelled(0) +
          " the time; only " + spelled(1) + " if a walk finds the pairs that matter";

@@ -45,9 +45,9 @@ const std::vector<Kept> kGains = {{"without tolerances", "without tolerances", f
                                   {"cap", "cap of 256 steps", kQuiet}};
 const std::vector<Kept> kBoxPaths = {{"by the path of any hulls", "as a general hull"},
                                      {"by the path of boxes", "with code of its own"}};
-const std::vector<Kept> kVolumes = {{"axis-aligned boxes (AABBs)", "AABB: 24 bytes"},
-                                    {"oriented boxes (OBBs)", "OBB: 60 bytes"},
-                                    {"k-DOPs (k = 18 planes)", "18-DOP: 72 bytes"}};
+const std::vector<Kept> kVolumes = {{"axis-aligned boxes (AABBs)", "AABB, 24 bytes a node"},
+                                    {"oriented boxes (OBBs)", "OBB, 60 bytes a node"},
+                                    {"k-DOPs (k = 18 planes)", "18-DOP, 72 bytes a node"}};
 const std::vector<Kept> kAxisTimes = {{"all pairs of edges", "all faces and pairs of edges tested"},
                                       kPrecisions[0]};
 const std::vector<Kept> kContactTimes = {
@@ -255,7 +255,7 @@ const std::vector<PictureRow>& picture_rows() {
                    number(scratch / kept) + " times as fast, not ten times";
           }),
       row("hull_precision", "axes", kAxisTimes, kAll, "vertices of each hull", trace::kTimes,
-          "Up: time of the separating axis test, over that of hulls of 8 vertices. All pairs: in extended precision",
+          "Up: time of the separating axis test, over that of hulls of 8 vertices. In float",
           {.at = 64, .drop_worst = true, .form = StudyForm::Curves}, &result_of_axes),
       row("box_path", "time", kBoxPaths, kAll, "", "",
           "Time of a contact of two boxes, the upper one tilted by 10 degrees",

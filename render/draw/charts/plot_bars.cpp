@@ -10,6 +10,51 @@ constexpr double kOverBars = 44;  // heading, or the goal's words
 constexpr double kMaxRow = 135;
 constexpr double kBetweenPanels = 30;
 constexpr double kBarShare = 0.6;  // of a row
+constexpr double kVolumeRoom = 144;
+
+/// A bounding volume, seen along an axis: `sides` lines at equal angles, the first one turned.
+struct Volume {
+  std::string_view name;  // with which the name of its method begins
+  int sides;
+  double turned;  // radians
+};
+constexpr double kLean = 0.5;  // of the bounded triangles
+constexpr Volume kVolumes[] = {{"AABB", 4, 0}, {"OBB", 4, kLean}, {"18-DOP", 8, 0}};
+
+const Volume* volume_of(const std::string& method) {
+  const auto found = std::ranges::find_if(
+      kVolumes, [&](const Volume& volume) { return method.starts_with(volume.name); });
+  return found == std::end(kVolumes) ? nullptr : found;
+}
+
+/// A strip of triangles in its volume.
+void draw_volume(const Volume& volume, const Point2& middle, const Color& color, const Pen& pen) {
+  const auto placed = [&](const Eigen::Vector2d& p) {
+    return Point2{middle.x + pen.px(p.x()), middle.y + pen.px(p.y())};
+  };
+  std::vector<Eigen::Vector2d> strip;
+  for (int i = 0; i < 7; ++i)
+    strip.push_back(Eigen::Rotation2Dd(kLean) *
+                    Eigen::Vector2d(18.0 * i - 54, i % 2 == 0 ? -11 : 11));
+  for (std::size_t i = 1; i < strip.size(); ++i) {
+    pen.line(placed(strip[i - 1]), placed(strip[i]), 1.2, kShapeEdge);
+    if (i > 1) pen.line(placed(strip[i - 2]), placed(strip[i]), 1.2, kShapeEdge);
+  }
+  const auto corner = [&](int side) {  // where this side meets the next one
+    Eigen::Matrix2d normals;
+    Eigen::Vector2d offsets;
+    for (int k = 0; k < 2; ++k) {
+      const double angle = volume.turned + 2 * std::numbers::pi * (side + k) / volume.sides;
+      normals.row(k) << std::cos(angle), std::sin(angle);
+      offsets[k] = -std::numeric_limits<double>::infinity();
+      for (const Eigen::Vector2d& p : strip)
+        offsets[k] = std::max(offsets[k], normals.row(k).dot(p));
+    }
+    return placed(normals.inverse() * offsets);
+  };
+  for (int side = 0; side < volume.sides; ++side)
+    pen.line(corner(side), corner(side + 1), 2, color);
+}
 
 void draw_bars(const PlotPanel& panel, const std::string& goal, double row, const Pen& pen) {
   const Rect& area = panel.area;
@@ -41,9 +86,15 @@ void draw_bars(const PlotPanel& panel, const std::string& goal, double row, cons
     if (!point.error) pen.cross({left + pen.px(12), middle}, 8, 3, look.color);
     pen.text(point.mark, {end + pen.px(point.error ? 8 : 30), words}, Align::Left, look.text,
              Weight::Bold);
-    if (panel.begins_row)
-      pen.text(panel.series[i]->method, {left - pen.px(12), words}, Align::Right, look.text,
-               Weight::Bold);
+    const std::string& method = panel.series[i]->method;
+    if (panel.begins_row) {
+      pen.text(method, {left - pen.px(12), words}, Align::Right, look.text, Weight::Bold);
+      if (const Volume* const volume = volume_of(method))
+        draw_volume(
+            *volume,
+            {left - pen.px(12 + 0.55 * kVolumeRoom) - pen.width_of(method, Weight::Bold), middle},
+            look.color, pen);
+    }
     y += row;
   }
 }
@@ -57,7 +108,8 @@ Drawing plot_bars(const trace::Study& study, int width, int height) {
   double names = 0, rows = 0;
   for (const trace::StudySeries* bar : panels.front().series) {
     if (bar->method == study.signal) continue;
-    names = std::max(names, double{pen.width_of(bar->method, Weight::Bold)} + pen.px(12));
+    names = std::max(names, double{pen.width_of(bar->method, Weight::Bold)} + pen.px(12) +
+                                (volume_of(bar->method) != nullptr ? pen.px(kVolumeRoom) : 0));
     ++rows;
   }
   const double room = page.panels.height - pen.px(kOverBars);

@@ -211,6 +211,12 @@ struct DifferencePen {
       const double height = along.normalized().cross(tip - first).norm();
       if (!of_seen.contains({from, to}) || height > kSliver * along.norm()) continue;
       sketch.face({first, first + along, tip}, with_alpha(kContact, 0.5f), {2, kContact});
+      const auto angle_at = [&](const Vec3d& corner, const Vec3d& side) {
+        return std::atan2(side.cross(tip - corner).norm(), side.dot(tip - corner));
+      };
+      const double least = std::min(angle_at(first, along), angle_at(first + along, -along));
+      sketch.label(tip + (2 * first + along - 2 * tip) / 3,
+                   printed("sliver: %.0f°", least * 180 / std::numbers::pi), kContact, 16, 6);
       sketch.explain(kSliverSwatch, "sliver, if these were left");
     }
     for (const int corner : corners) sketch.mark(MarkKind::Core, at(points, corner), kPolytope);

@@ -99,8 +99,8 @@ std::vector<Vec3d> corners_of(const PlacedShape& shape, const PairFeature& featu
 }
 
 constexpr Swatch kWalkSwatch{LegendGroup::Faces, 7, [](auto& pen) {
-                               pen.level_line(0, 22, 2, kDropped);
-                               pen.dot(0, 3.5, kDropped);
+                               pen.level_line(0, 22, 3, kClipPolygon);
+                               pen.dot(0, 3.5, kClipPolygon);
                              }};
 
 constexpr Swatch kRegionSwatches[] = {
@@ -151,10 +151,10 @@ void draw_walk(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
       if (corners.empty()) return;
       const Vec3d middle = mean_of(corners);
       if (before && middle == *before) continue;
-      if (before) sketch.line(*before, middle, {2, kDropped});
+      if (before) sketch.line(*before, middle, {3, kClipPolygon});
       if (!before && shown > 0 && shown < last) sketch.label(middle, "start", kText, 16, 8);
-      if (k < shown) sketch.mark(MarkKind::Node, middle, kDropped);
-      if (shown == last) sketch.label(middle, std::to_string(k + 1), kDropped, 15, 8);
+      if (k < shown) sketch.mark(MarkKind::Node, middle, kClipPolygon);
+      if (shown == last) sketch.label(middle, std::to_string(k), kText, 15, 8);
       before = middle;
     }
     if (of_a || shown < last) draw_region(*shape, corners, of_a, sketch);
