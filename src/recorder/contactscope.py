@@ -663,7 +663,8 @@ class _MujocoWorld:
         return first == self.PLANE or (first in round_ones and second in round_ones + (self.BOX,))
 
     @staticmethod
-    def point(model: Any, contact: Any, frame: List[float], forces: List[float], is_halfway: bool, step: float) -> Point:
+    def point(model: Any, contact: Any, frame: List[float], forces: List[float], is_halfway: bool,
+              step: float) -> Point:
         place, separation, address = _list_of(contact.pos), float(contact.dist), int(contact.efc_address)
         point = Point(place, separation, idle=address < 0)
         if is_halfway:
@@ -752,7 +753,7 @@ class _BulletWorld:
         recorder, settings = self.recorder, client.getPhysicsEngineParameters()
         substeps, seconds = max(int(settings["numSubSteps"]), 1), float(settings["fixedTimeStep"])
         if substeps > 1:
-            recorder.note("PyBullet: numSubSteps is above 1; contacts are those of the last substep, and poses of the first")
+            recorder.note("PyBullet: numSubSteps is above 1; contacts are of the last substep, poses of the first")
         bodies = [client.getBodyUniqueId(i) for i in range(client.getNumBodies())]
         for body in bodies:
             if body not in self.bodies:
@@ -823,7 +824,8 @@ class _BulletWorld:
             # PyBullet returns vertices of convex hulls only, in the frame of the centre of mass.
             vertices = list(client.getMeshData(body, link, collisionShapeIndex=index)[1]) if kind == self.MESH else []
             if not vertices:
-                recorder.note("PyBullet: concave meshes and height fields are left out; it does not return their triangles")
+                recorder.note("PyBullet: concave meshes and height fields, whose triangles it does not return, "
+                              "are left out")
                 return None
             shape = recorder.hull(name, vertices)
             facts = client.getDynamicsInfo(body, link)
@@ -884,7 +886,9 @@ class _NewtonWorld:
         self.owners = _list_of(model.shape_body)
         self.offsets = [(tuple(row[:3]), (row[6], *row[3:6])) for row in _rows(model.shape_transform, 7)]
         kinds, sizes, flags = _list_of(model.shape_type), _rows(model.shape_scale, 3), _list_of(model.shape_flags)
-        margins = _list_of(model.shape_margin) if getattr(model, "shape_margin", None) is not None else [0.0] * len(kinds)
+        margins = [0.0] * len(kinds)
+        if getattr(model, "shape_margin", None) is not None:
+            margins = _list_of(model.shape_margin)
         names = getattr(model, "shape_label", None) or getattr(model, "shape_key", None) or [None] * len(kinds)
         self.shapes = [self.add(name, kind, size, margin, source) if flag & self.COLLIDES else None
                        for name, kind, size, margin, source, flag
@@ -940,8 +944,9 @@ class _NewtonWorld:
             thickness = getattr(contacts, f"rigid_contact_margin{number}", None)
             if thickness is None:  # before 1.0
                 thickness = getattr(contacts, f"rigid_contact_thickness{number}")
-            sides.append([[p + sign * n * t for p, n in zip(_composed(bodies[self.owners[shape]], point, _UNTURNED)[0], normal)]
-                          for shape, point, normal, t in zip(shapes, points, normals, _list_of(thickness))])
+            cores = [_composed(bodies[self.owners[shape]], point, _UNTURNED)[0] for shape, point in zip(shapes, points)]
+            sides.append([[p + sign * n * t for p, n in zip(core, normal)]
+                          for core, normal, t in zip(cores, normals, _list_of(thickness))])
         separations = [sum((q - p) * n for p, q, n in zip(one, other, normal))
                        for one, other, normal in zip(sides[0], sides[1], normals)]
         impulses = frictions = None
@@ -978,8 +983,8 @@ def record_arrays(recorder: Recorder, time: float, shapes: Sequence[Optional[int
     """
     first, second = _list_of(a), _list_of(b)
     count = len(first)
-    columns = {"b": second, "points": _rows(points, 3), "normals": _rows(normals, 3), "separations": _list_of(separations),
-               "impulses": None if impulses is None else _list_of(impulses)}
+    columns = {"b": second, "points": _rows(points, 3), "normals": _rows(normals, 3),
+               "separations": _list_of(separations), "impulses": None if impulses is None else _list_of(impulses)}
     for key, values in (("frictions", frictions), ("on_a", on_a), ("on_b", on_b)):
         columns[key] = None if values is None else _rows(values, 3)
     places, turns = _rows(positions, 3), _rows(quaternions, 4)
@@ -1215,7 +1220,7 @@ def assert_manifold(contacts: Union[Trace, Manifold, Sequence[Manifold]], name: 
     name: GROUP/IDEA; the snapshot is SNAPSHOTS/GROUP/IDEA/trace.jsonl, a trace that `contactscope render` draws.
     frame: only this frame of the trace. Else of a long trace the first, middle and last frame are compared.
     doubles: manifolds alone are of an engine that computes in double.
-    update: write what is missing or differs. Default: $CONTACTSCOPE_UPDATE is 1. Nothing is written if $CI is 1 or true.
+    update: write what is missing or differs. Default: $CONTACTSCOPE_UPDATE is 1. Never if $CI is 1 or true.
     snapshots: default: $CONTACTSCOPE_SNAPSHOTS, or else snapshots, below the working directory.
     out: pictures of failures are below OUT/check. Default: $CONTACTSCOPE_OUT, or else out.
 
@@ -1244,8 +1249,8 @@ def assert_manifold(contacts: Union[Trace, Manifold, Sequence[Manifold]], name: 
                      else _with_stand_ins(manifolds, name, doubles, shapes))
             with open(trace, "w", encoding="utf-8") as file:
                 file.writelines(lines)
-            return json.loads(_run(["check", trace, "--facts-only", "--snapshots", folder, "--out", work, "--json", *extra],
-                                   allowed=(0, 1)))
+            return json.loads(_run(["check", trace, "--facts-only", "--snapshots", folder, "--out", work, "--json",
+                                    *extra], allowed=(0, 1)))
 
         if not os.path.exists(stored):
             if not wanted:
@@ -1265,7 +1270,8 @@ def assert_manifold(contacts: Union[Trace, Manifold, Sequence[Manifold]], name: 
             check(None, "--update=all")
             print(f"contactscope: {sentences}\ncontactscope: rewrote {stored}", file=sys.stderr)
             return
-        pictures = _pictures_of(stored, os.path.join(work, "check", *name.split("/"), "trace.actual.jsonl"), name, sentences,
+        actual = os.path.join(work, "check", *name.split("/"), "trace.actual.jsonl")
+        pictures = _pictures_of(stored, actual, name, sentences,
                                 os.path.abspath(out or os.environ.get("CONTACTSCOPE_OUT") or "out"))
         raise AssertionError(f"{sentences}\n{pictures}\nif this is right, {how}: it rewrites {stored}")
 
@@ -1274,7 +1280,8 @@ def _run(arguments: Sequence[str], allowed: Sequence[int] = (0,)) -> str:
     """What the program prints to its standard output."""
     program = os.environ.get("CONTACTSCOPE") or shutil.which("contactscope")
     if not program:
-        raise FileNotFoundError("the program contactscope is not on the PATH; install it, or set CONTACTSCOPE to its path")
+        raise FileNotFoundError("the program contactscope is not on the PATH; install it, or set CONTACTSCOPE to its "
+                                "path")
     done = subprocess.run([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
                           errors="replace")
     if done.returncode not in allowed:
@@ -1330,8 +1337,8 @@ def _excerpt(path: str, name: str, frame: Optional[int]) -> List[str]:
     if frame is not None:
         numbers = [line["frame"] for line in frames]
         if frame not in numbers:
-            raise ValueError(f"{path} has no frame {frame}; " + (f"its frames are {numbers[0]} to {numbers[-1]}" if numbers
-                                                                 else "it has none"))
+            there = f"its frames are {numbers[0]} to {numbers[-1]}" if numbers else "it has none"
+            raise ValueError(f"{path} has no frame {frame}; {there}")
         for line in frames[:numbers.index(frame) + 1]:
             head.setdefault("shapes", {}).update(line.pop("shapes", {}))
         head.pop("frames", None)
@@ -1351,7 +1358,7 @@ def _with_stand_ins(manifolds: Sequence[Manifold], name: str, doubles: bool, sha
         if kept:
             size = math.sqrt(sum(x * x for x in kept[0][0]))
             normal = tuple(x / size for x in kept[0][0]) if size > 0 else normal
-        first = [point.position for point in kept[0][1]] if kept else places
+        first: List[Vector] = [point.position for point in kept[0][1]] if kept else places
         middle = [sum(place[k] for place in first) / len(first) for k in range(3)]
         shapes["a"]["half_space"] = {"normal": normal, "offset": sum(n * m for n, m in zip(normal, middle))}
         corners = _outline(places, normal)

@@ -34,8 +34,8 @@ DATA = {
     "cvel": (c_double, "nbody", 6), "efc_force": (c_double, "nefc", 1),
 }
 CONTACT = {
-    "dist": (c_double, None, 1), "pos": (c_double, None, 3), "frame": (c_double, None, 9), "friction": (c_double, None, 5),
-    "dim": (c_int, None, 1), "geom1": (c_int, None, 1), "geom2": (c_int, None, 1), "efc_address": (c_int, None, 1),
+    "dist": (c_double, None, 1), "pos": (c_double, None, 3), "frame": (c_double, None, 9),
+    "friction": (c_double, None, 5), "dim": (c_int, None, 1), "geom1": (c_int, None, 1), "geom2": (c_int, None, 1), "efc_address": (c_int, None, 1),
 }
 
 
@@ -92,7 +92,8 @@ class Mujoco:
             raise ValueError(error.value.decode())
         self._data = self._lib.mj_makeData(self._model)
         self.model = _Struct(self._model, offsets["mjModel"], MODEL, None)
-        self.model.opt = SimpleNamespace(**{name[4:]: getattr(self.model, name) for name in MODEL if name.startswith("opt.")})
+        self.model.opt = SimpleNamespace(**{name[len("opt."):]: getattr(self.model, name)
+                                            for name in MODEL if name.startswith("opt.")})
         self.data = _Struct(self._data, offsets["mjData"], DATA, self.model)
         self.data.contact = _Contacts(self._data + offsets["mjData"]["contact"], offsets["mjContact"])
 
@@ -114,3 +115,9 @@ class _Contacts:
     def __getitem__(self, i):
         start = c_void_p.from_address(self._address).value
         return _Struct(start + i * self._offsets["size"], self._offsets, CONTACT, None)
+
+
+def version():
+    lib = library()
+    lib.mj_versionString.restype = ctypes.c_char_p
+    return lib.mj_versionString().decode()

@@ -1,4 +1,4 @@
-// What python_test.py needs to hold contactscope.py against MuJoCo's own library:
+// Lets python_test.py compare contactscope.py with the C++ adapter on MuJoCo's own library:
 //   mujoco_facts                        where the fields of mjModel, mjData and mjContact are
 //   mujoco_facts MODEL.xml STEPS OUT    steps the model, recorded by the C++ adapter
 #define CONTACTSCOPE_IMPLEMENTATION
