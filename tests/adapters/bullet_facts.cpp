@@ -1,9 +1,8 @@
 // A scene in Bullet, recorded by the C++ adapter, and printed as PyBullet's functions return it:
 //   bullet_facts OUT.jsonl
 // python_test.py gives these numbers to contactscope.py and compares the two traces. PyBullet cannot
-// be tested itself: no Debian package has it. Its server reads the same fields of Bullet
-// (examples/SharedMemory/PhysicsServerCommandProcessor.cpp: extractCollisionShapes,
-// processRequestContactpointInformationCommand).
+// be tested itself: no Debian package has it. Its server reads the same fields of Bullet (functions
+// extractCollisionShapes and processRequestContactpointInformationCommand of PyBullet 3.2).
 #define CONTACTSCOPE_IMPLEMENTATION
 #include "adapters/bullet.h"
 
