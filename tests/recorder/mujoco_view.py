@@ -39,6 +39,12 @@ CONTACT = {
 }
 
 
+try:
+    from numpy import array  # as the binding returns arrays
+except ImportError:
+    array = list
+
+
 def library():
     """MuJoCo's library, or None where it is not installed."""
     name = ctypes.util.find_library("mujoco")
@@ -46,17 +52,17 @@ def library():
 
 
 def _read(address, kind, count, width):
-    """A number, or rows as lists."""
+    """A number or an array."""
     if count is None:
         values = (kind * width).from_address(address)
-        return values[0] if width == 1 else list(values)
+        return values[0] if width == 1 else array(values[:])
     start = c_void_p.from_address(address).value
     if kind is c_char:
         return ctypes.string_at(start, count)
     if count == 0:
-        return []
+        return array([])
     values = (kind * (count * width)).from_address(start)[:]
-    return values if width == 1 else [values[i:i + width] for i in range(0, len(values), width)]
+    return array(values if width == 1 else [values[i:i + width] for i in range(0, len(values), width)])
 
 
 class _Struct:
