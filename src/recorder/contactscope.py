@@ -520,6 +520,7 @@ def record_mujoco(recorder: Recorder, model: Any, data: Any, integrated: bool = 
     those of the contacts: mj_step computes both before it integrates, and keeps them in mjData. Raises ValueError if
     the recorder has frames of something else.
     """
+    _between_frames(recorder)
     if type(recorder._world) is not _MujocoWorld:
         _MujocoWorld(recorder, model)
     world = recorder._world
@@ -704,6 +705,7 @@ def record_pybullet(recorder: Recorder, client: Any, step: Optional[Callable[[],
     is taken), or what a mesh's triangles are (the convex hull is recorded, a concave mesh is left out with a note).
     Raises ValueError if the recorder has frames of something else.
     """
+    _between_frames(recorder)
     if type(recorder._world) is not _BulletWorld:
         _BulletWorld(recorder, client)
     recorder._world.record(client, client.stepSimulation if step is None else step)
@@ -793,7 +795,7 @@ class _BulletWorld:
         base, model = (_decoded(text) for text in client.getBodyInfo(body)[:2])
         for link in range(-1, count):
             name = (model or base) if link < 0 else _decoded(client.getJointInfo(body, link)[12])
-            forms = client.getCollisionShapeData(body, link)
+            forms = self.forms(client, body, link)
             leaves = []
             for i, form in enumerate(forms):
                 leaf = self.leaf(client, form, i if len(forms) > 1 else -1,
@@ -806,6 +808,18 @@ class _BulletWorld:
                 for leaf in leaves:
                     self.recorder.part(whole, leaf.shape, leaf.position, leaf.turn)
             self.links[body, link] = whole, leaves
+        if not any(self.links[body, link][1] for link in range(-1, count)):
+            self.recorder.note(f"PyBullet: it returns no shape of body {body} ({model or base}), which is left out, as "
+                               "bodies with useMaximalCoordinates are")
+
+    @staticmethod
+    def forms(client: Any, body: int, link: int) -> Any:
+        try:
+            return client.getCollisionShapeData(body, link)
+        except Exception as error:  # pybullet.error, which cannot be named without the module
+            if type(error).__name__ != "error":
+                raise
+            return ()
 
     def leaf(self, client: Any, form: Any, index: int, name: str) -> Optional[_Leaf]:
         body, link, kind, size, turn = form[0], form[1], form[2], [float(x) for x in form[3]], form[6]
@@ -870,6 +884,7 @@ def record_newton(recorder: Recorder, model: Any, state: Any, contacts: Any, tim
     Shapes that do not collide, height fields and splats are left out. A margin of a shape moves its surface outwards.
     Raises ValueError if the recorder has frames of something else.
     """
+    _between_frames(recorder)
     if type(recorder._world) is not _NewtonWorld:
         _NewtonWorld(recorder, model)
     recorder._world.record(model, state, contacts, time, step)
@@ -981,6 +996,7 @@ def record_arrays(recorder: Recorder, time: float, shapes: Sequence[Optional[int
         record_arrays(recorder, time, shapes, positions, quaternions, c["geom_a"], c["geom_b"], c["position"],
                       -c["normal"], -c["penetration"])
     """
+    _between_frames(recorder)
     first, second = _list_of(a), _list_of(b)
     count = len(first)
     columns = {"b": second, "points": _rows(points, 3), "normals": _rows(normals, 3),
@@ -1009,6 +1025,11 @@ def record_arrays(recorder: Recorder, time: float, shapes: Sequence[Optional[int
                 recorder.pose(shape, place, (turn[3], *turn[:3]) if xyzw else turn)
         for (one, other, normal), kept in found.items():
             recorder.manifold(one, other, normal, kept)
+
+
+def _between_frames(recorder: Recorder):
+    if recorder._time is not None:
+        raise ValueError("a frame has begun; this call makes a frame of its own, so call it outside of recorder.frame()")
 
 
 def _list_of(values: Any) -> list:

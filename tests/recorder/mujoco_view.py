@@ -35,7 +35,8 @@ DATA = {
 }
 CONTACT = {
     "dist": (c_double, None, 1), "pos": (c_double, None, 3), "frame": (c_double, None, 9),
-    "friction": (c_double, None, 5), "dim": (c_int, None, 1), "geom1": (c_int, None, 1), "geom2": (c_int, None, 1), "efc_address": (c_int, None, 1),
+    "friction": (c_double, None, 5), "dim": (c_int, None, 1), "geom1": (c_int, None, 1), "geom2": (c_int, None, 1),
+    "efc_address": (c_int, None, 1),
 }
 
 

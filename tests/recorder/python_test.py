@@ -5,15 +5,18 @@
 MUJOCO_FACTS and BULLET_FACTS are programs of tests/adapters; without them the tests of their engines are skipped.
 """
 
+import ast
 import contextlib
 import io
 import json
 import math
 import os
+import re
 import struct
 import subprocess
 import sys
 import tempfile
+import textwrap
 import types
 import unittest
 from types import SimpleNamespace
@@ -207,6 +210,78 @@ class PyBullet:
         return self.contacts
 
 
+class Robot(PyBullet):
+    """A hidden body, and an arm with a base that is a concave mesh and a link of two balls, turned about z."""
+
+    class error(Exception):
+        pass
+
+    def __init__(self):
+        super().__init__([{"bodies": [{"name": "hidden", "mass": 1}, {"name": "", "mass": 1, "margin": 0}]}, {}])
+        self.steps[0]["contacts"] = [[0, 1, 0, 0, -1, (0, 2.3, 1), (0, 2.3, 1), (0, 0, 1), 0.001, 0.0,
+                                      0.0, (1, 0, 0), 0.0, (0, 1, 0)],
+                                     [0, 1, 1, 0, -1, (0, 1.3, 1), (0, 2, 1), (0, 0, 1), -0.01, 60.0, 6.0, (1, 0, 0),
+                                      0.0, (0, 1, 0)]]
+
+    def getNumJoints(self, body):
+        return body
+
+    def getJointInfo(self, body, link):
+        return (0, b"joint", *[0] * 10, b"hand")
+
+    def getCollisionShapeData(self, body, link):
+        if body == 0:
+            raise Robot.error("Error receiving collision shape info")
+        if link < 0:
+            return ((body, link, 5, (1, 1, 1), b"unknown_file", (0, 0, 0), (0, 0, 0, 1)),)
+        return tuple((body, link, 2, (0.3, 0.3, 0.3), b"", (x, 0, 0), (0, 0, 0, 1)) for x in (1, 2))
+
+    def getMeshData(self, body, link, collisionShapeIndex=-1):
+        return 0, ()
+
+    def getBasePositionAndOrientation(self, body):
+        return (0, 0, 0), (0, 0, 0, 1)
+
+    def getLinkState(self, body, link, computeForwardKinematics=0):
+        half = math.sqrt(0.5)
+        return ((0, 0, 1), (0, 0, half, half)) if computeForwardKinematics else ((9, 9, 9), (0, 0, 0, 1))
+
+
+class LinksTest(InAFolder):
+    def test_links_are_bodies_with_parts(self):
+        with Recorder("run.jsonl", "bullet/run") as recorder:
+            _, said = quiet(record_pybullet, recorder, Robot())
+        self.assertIn("no shape of body 0 (hidden)", said)
+        self.assertIn("concave meshes", said)
+        head, frame = self.frames_of("run.jsonl")
+        shapes = {**head["shapes"], **frame.get("shapes", {})}
+        self.assertEqual({name: shape["body"] for name, shape in shapes.items()}, {"hand/0": "hand", "hand/1": "hand"})
+        for name, y in (("hand/0", 1), ("hand/1", 2)):
+            for number, expected in zip(frame["poses"][name]["position"], (0, y, 1)):
+                self.assertAlmostEqual(number, expected, 12)
+        self.assertEqual(frame["pairs"], [])  # both contacts have a body that is left out
+
+    def test_a_point_is_of_the_nearest_part(self):
+        robot = Robot()
+        ball = ((2, -1, 2, (0.5, 0.5, 0.5), b"", (0, 0, 0), (0, 0, 0, 1)),)
+        robot.bodies.append({"name": "ball", "mass": 1, "margin": 0})
+        forms, count = robot.getCollisionShapeData, robot.getNumJoints
+        robot.getCollisionShapeData = lambda body, link: ball if body == 2 else forms(body, link)
+        robot.getNumJoints = lambda body: 0 if body == 2 else count(body)
+        robot.getBaseVelocity = lambda body: ((0, 0, 0), (0, 0, 0))
+        robot.steps[0]["contacts"][1][2:5] = 2, 0, -1
+        with Recorder("run.jsonl", "bullet/run") as recorder:
+            quiet(record_pybullet, recorder, robot)
+        frame = self.frames_of("run.jsonl")[1]
+        pair, = frame["pairs"]
+        self.assertEqual((pair["a"], pair["b"]), ("hand/0", "ball"))
+        manifold, = pair["manifolds"]
+        self.assertEqual(manifold["normal"], [0, 0, -1])
+        self.assertAlmostEqual(manifold["points"][0]["impulse"]["normal"], 1, 12)
+        self.assertAlmostEqual(manifold["points"][0]["impulse"]["friction"][0], -0.1, 12)
+        self.assertEqual(list(frame["solver"]["bodies"]), ["ball"])
+
+
 @unittest.skipUnless(program_of("BULLET_FACTS"), "Bullet is not installed")
 class BulletTest(InAFolder):
     """The oracle is the C++ adapter on Debian's Bullet; its numbers are single precision."""
@@ -314,6 +389,8 @@ class ArraysTest(InAFolder):
             with self.assertRaisesRegex(ValueError, "separations has 1 entries, not 2"):
                 record_arrays(recorder, 1, shapes, [[0, 0, 0]] * 3, [[1, 0, 0, 0]] * 3, [0, 0], [2, 2], [[0, 0, 0]] * 2,
                               [[0, 1, 0]] * 2, [0])
+            with self.assertRaisesRegex(ValueError, "outside of recorder.frame"), recorder.frame(1):
+                record_arrays(recorder, 1, [], [], [], [], [], [], [], [])
             with self.assertRaisesRegex(ValueError, "contact 0 is of shape 3, but there are 3"):
                 record_arrays(recorder, 1, shapes, [[0, 0, 0]] * 3, [[1, 0, 0, 0]] * 3, [0], [3], [[0, 0, 0]],
                               [[0, 1, 0]], [0])
@@ -474,6 +551,16 @@ class ProgramTest(InAFolder):
 
 
 class DocumentsTest(unittest.TestCase):
+    def test_the_samples_of_the_document_are_python(self):
+        with open(os.path.join(HERE, "..", "..", "src", "recorder", "README.md"), encoding="utf-8") as file:
+            blocks = re.findall(r"(?:^(?:    .*)?\n)+", file.read(), re.M)
+        samples = [textwrap.dedent(block) for block in blocks if "from contactscope import" in block]
+        self.assertEqual(len(samples), 3)
+        for sample in samples:
+            for node in ast.walk(ast.parse(sample)):
+                if isinstance(node, ast.ImportFrom):
+                    self.assertEqual([one.name for one in node.names if not hasattr(contactscope, one.name)], [])
+
     def test_every_public_name_is_documented(self):
         public = [value for name, value in vars(contactscope).items()
                   if not name.startswith("_") and getattr(value, "__module__", None) == "contactscope"
