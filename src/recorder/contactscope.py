@@ -1157,7 +1157,7 @@ class Picture:
         self._drawn: Dict[str, bytes] = {}
 
     def __repr__(self) -> str:
-        frames = "all frames" if self._frames is None else f"frames {self._frames}"
+        frames = "all frames" if self._frames is None else ("frames " if self._is_sequence() else "frame ") + self._frames
         return f"<Picture of {self._source}, {frames}; save(path) writes it>"
 
     def png(self) -> bytes:

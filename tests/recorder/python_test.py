@@ -543,6 +543,20 @@ class ProgramTest(InAFolder):
         with self.assertRaisesRegex(AssertionError, "patch/of_4 frame 0.*\nsee .*difference.png"):
             assert_manifold([], "patch/of_4")
 
+    def test_the_stand_in_is_the_outline_of_the_points(self):
+        places = [(0, 0, 0), (1, 0, 0), (0.5, 0, 0), (1, 0, 1), (0.4, 0, 0.6), (0, 0, 1), (0, 0, 0.25)]
+        for turn in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):  # the plane's normal along each axis
+            normal = [(0, -1, 0)[k] for k in turn]
+            points = [Point([place[k] for k in turn], 0) for place in places]
+            quiet(assert_manifold, Manifold(normal, points), "patch/outline", update=True)
+            plane, outline = (self.frames_of("snapshots/patch/outline/trace.jsonl")[0]["shapes"][name] for name in "ab")
+            self.assertEqual(plane["half_space"], {"normal": normal, "offset": 0})
+            corners = outline["vertices"]
+            self.assertEqual(sorted(corners), sorted([place[k] for k in turn] for i, place in enumerate(places)
+                                                     if i in (0, 1, 3, 5)))
+            for i in range(4):  # neighbours are an edge of the square
+                self.assertEqual(sum(abs(p - q) for p, q in zip(corners[i - 1], corners[i])), 1)
+
     def test_what_cannot_be_a_snapshot(self):
         with self.assertRaisesRegex(ValueError, "GROUP/IDEA"):
             assert_manifold(crate_falls("run.jsonl"), "stack")
