@@ -1029,7 +1029,8 @@ def record_arrays(recorder: Recorder, time: float, shapes: Sequence[Optional[int
 
 def _between_frames(recorder: Recorder):
     if recorder._time is not None:
-        raise ValueError("a frame has begun; this call makes a frame of its own, so call it outside of recorder.frame()")
+        raise ValueError("a frame has begun; this call makes a frame of its own, so call it outside of "
+                         "recorder.frame()")
 
 
 def _list_of(values: Any) -> list:
@@ -1157,7 +1158,9 @@ class Picture:
         self._drawn: Dict[str, bytes] = {}
 
     def __repr__(self) -> str:
-        frames = "all frames" if self._frames is None else ("frames " if self._is_sequence() else "frame ") + self._frames
+        frames = "all frames"
+        if self._frames is not None:
+            frames = ("frames " if self._is_sequence() else "frame ") + self._frames
         return f"<Picture of {self._source}, {frames}; save(path) writes it>"
 
     def png(self) -> bytes:
