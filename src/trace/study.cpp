@@ -1,5 +1,7 @@
 #include "trace/study.h"
 
+#include "core/spell.h"
+
 namespace contactscope::trace {
 namespace {
 
