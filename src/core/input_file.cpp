@@ -86,6 +86,10 @@ std::string foreign_format(std::string_view begin, std::uintmax_t size) {
 }
 
 std::string foreign_format_remedy(std::string_view begin, std::uintmax_t size) {
+  if (const std::string_view text = without_blanks(begin);
+      text.starts_with('[') && without_blanks(text.substr(1)).starts_with('{'))
+    return "this is a JSON array, and a trace has one JSON object a line, the header first; "
+           "`jq -c '.[]' FILE > run.jsonl` writes it so";
   const std::string format = foreign_format(begin, size);
   if (format.empty()) return {};
   constexpr std::array kMeshes = {".obj", "STL", "PLY"};

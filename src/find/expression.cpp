@@ -333,7 +333,9 @@ class Expression::Parser {
 
   [[noreturn]] void refuse(const std::string& quantity) const {
     std::vector<std::string_view> names = names_in(vocabulary_.quantities);
-    const std::string near = did_you_mean(quantity, names);
+    std::string near = did_you_mean(quantity, names);
+    if (near.starts_with("did you mean 'motion'"))
+      near += "it is in metres since the frame before; ";
     names.insert(names.end(), vocabulary_.counts.begin(), vocabulary_.counts.end());
     fail("'" + quantity + "' is not a quantity" +
          (near.empty() ? "; put the name of a shape in quotes; " : "; ") + near +

@@ -76,6 +76,7 @@ class Solids {
 };
 
 struct LintOptions;
+class Balance;
 
 /// A sign may be wrong in a single frame, and then explains a jump.
 enum class Explained { Wholly, ButForSigns };
@@ -88,7 +89,8 @@ struct Moments {
   const LintOptions* options = nullptr;
   /// Pairs of this frame whose errors a check over time explains.
   std::map<const trace::Pair*, Explained>* explained = nullptr;
-  bool after_step = false;  // poses are those after the step of the contacts
+  const Balance* balance = nullptr;  // of this frame
+  bool after_step = false;           // poses are those after the step of the contacts
 
   /// The frame with the poses of the contacts.
   const trace::Frame* of_contacts() const { return after_step ? before : now; }

@@ -1,3 +1,4 @@
+#include "lint/balance.h"
 #include "lint/watch.h"
 
 namespace contactscope::lint {
@@ -13,6 +14,8 @@ constexpr double kAtRest = 2e-3, kPairAtRest = 2e-2, kOnePoint = 1e-2;
 constexpr double kDoubled = 1e-6;
 /// Share of the tolerance by which a separation may change although the surfaces do not move.
 constexpr double kDepthNoise = 0.25;
+/// A jump that is undone is gross from this share of the smaller shape on.
+constexpr double kGrossJump = 4e-3;
 /// The same as a share of a positive separation: engines measure it roughly, for the next step.
 constexpr double kSpeculativeNoise = 0.25;
 /// Radians that a normal may turn more than the bodies.
@@ -24,11 +27,12 @@ constexpr double kFlipped = 150 * std::numbers::pi / 180;
 
 /// A contact point, and what the shapes measure there.
 struct Spot {
-  Vec3d in_a;           // shape a's frame
-  Vec3d normal;         // shape a's frame, from a to b
-  double reported = 0;  // separation
-  double measured = 0;  // likewise; positive infinity: cannot be measured
-  double excess = 0;    // overlap along the normal beyond the least overlap; 0 for meshes
+  Vec3d in_a;                     // shape a's frame
+  Vec3d normal;                   // shape a's frame, from a to b
+  double reported = 0;            // separation
+  double measured = 0;            // likewise; positive infinity: cannot be measured
+  double excess = 0;              // overlap along the normal beyond the least overlap; 0 for meshes
+  Vec3d impulse = Vec3d::Zero();  // N s, world; zero: not known
   // Where it is in its frame.
   const trace::Manifold* manifold = nullptr;
   const trace::Point* point = nullptr;
@@ -52,6 +56,7 @@ struct LostSpot {
   double farthest = -kBeyond;  // the largest separation measured in them
   double moved = 0;            // metres, b as seen from a
   bool slept = false;          // both shapes stood still in them
+  bool is_missed = false;      // in the first of them, a body moves as if it were there
 };
 
 /// State of a pair in earlier frames.
@@ -160,6 +165,8 @@ class ContactsWatch final : public Watch {
         Spot spot{at.a.pose.inverse_transform(point.position),
                   at.a.pose.inverse_rotate(manifold.normal).normalized(), point.separation};
         spot.manifold = &manifold, spot.point = &point;
+        if (point.impulse)
+          spot.impulse = point.impulse->normal * manifold.normal + point.impulse->friction;
         spot.measured = measure(at, spot.in_a, spot.normal);
         if (best && manifold.normal.dot(best->normal) < kAligned)
           spot.excess = best->distance - separation_along(at.a, at.b, manifold.normal);
@@ -211,7 +218,15 @@ class ContactsWatch final : public Watch {
     // The reports of separated shapes may depend on their velocities.
     const double reach = lost.moved <= kAtRest * at.size ? reach_ : 0;
     return lost.moved <= rest_of(lost) * at.size &&
-           lost.farthest < reach - at.rounding - kClear * farther;
+           (lost.is_missed ? lost.farthest < std::max(reach, at.tolerance)
+                           : lost.farthest < reach - at.rounding - kClear * farther);
+  }
+
+  /// Overlaps far beyond rounding count as gross: engines choose points, but not pairs.
+  static double size_of(const Placement& at, const LostSpot& lost) {
+    constexpr double kCertain = 10;
+    const bool is_certain = lost.points == 0 && -lost.farthest > kCertain * at.rounding;
+    return lost.is_missed ? 1 : std::max(-lost.farthest / at.size, is_certain * Tally::kGross);
   }
 
   void see_lost(const Solids& solids, const Moments& frames, const Placement& at, const Key& key,
@@ -238,7 +253,7 @@ class ContactsWatch final : public Watch {
           .wrong_at(
               {lost.frame, lost.line, std::get<0>(key), std::get<1>(key),
                at.a.pose.transform(lost.spot.in_a)},
-              frames, -lost.farthest / at.size, [&] {
+              frames, size_of(at, lost), [&] {
                 return std::pair(
                     std::to_string(lost.points) + " points" +
                         (lost.frames > 1 ? " for " + std::to_string(lost.frames) + " frames" : "") +
@@ -249,12 +264,23 @@ class ContactsWatch final : public Watch {
       return true;
     });
     if (spots.size() >= known.spots.size()) return;
+    const std::size_t first = known.lost.size();
+    Vec3d impulse = Vec3d::Zero();
     for (const Spot& spot : known.spots) {
       if (same_place(spots, spot, near) != nullptr) continue;
+      impulse += spot.impulse;
       known.lost.push_back(
           {spot, spots.size(), frames.now->line, frames.now->frame, 1, 0, moved, are_still});
       known.lost.back().farthest = measure_lost(at, known.lost.back());
     }
+    const auto lacks = [&](const std::string& name, const Vec3d& of_lost) {
+      constexpr double kAbout = 0.5;
+      const Balance::Missing* const one = frames.balance->missing(solids.body_of(name));
+      return one && one->is_off() &&
+             (one->impulse - of_lost).norm() <= kAbout * one->impulse.norm();
+    };
+    const bool is_missed = lacks(std::get<0>(key), -impulse) || lacks(std::get<1>(key), impulse);
+    for (std::size_t i = first; i < known.lost.size(); ++i) known.lost[i].is_missed = is_missed;
   }
 
   static double off(const Spot& spot) { return spot.reported - spot.measured; }
@@ -307,7 +333,8 @@ class ContactsWatch final : public Watch {
         });
     if (is_back) {
       const Spot &before = known.depth->before, &then = known.depth->then;
-      const double size = std::abs(off(then) - off(before)) / at.size;
+      const double share = std::abs(off(then) - off(before)) / at.size;
+      const double size = share < kGrossJump ? share : std::max(share, Tally::kGross);
       depths_.wrong_at(mark(*known.depth), frames, size, [&] {
         return std::pair("separation " + metres(then.reported) + ", and " +
                              metres(before.reported) + " in the frame before",

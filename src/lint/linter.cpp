@@ -1,6 +1,7 @@
 #include "lint/linter.h"
 
 #include "core/spell.h"
+#include "lint/balance.h"
 #include "lint/watch.h"
 
 namespace contactscope::lint {
@@ -37,7 +38,15 @@ const std::vector<Cause>& causes_and_effects() {
          return moves_shapes(cause) || cause == "shape_too_large" || cause == "shape_too_small";
        },
        {"overlap_told_apart", "overlap_without_contact", "pair_never_reported"}},
-      {[](const std::string& cause) { return cause == "flipped_normals"; }, {"impulses_on_a"}}};
+      {[](const std::string& cause) { return cause == "flipped_normals"; }, {"impulses_on_a"}},
+      {[](const std::string& cause) {
+         constexpr std::array kLost = {
+             "pairs_flicker",           "points_flicker", "overlap_told_apart",
+             "overlap_without_contact", "deepest",        "pair_never_reported"};
+         return std::ranges::find(kLost, cause) != kLost.end();
+       },
+       {"impulses_flicker"},
+       true}};
   return all;
 }
 
@@ -128,7 +137,7 @@ void add_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
 
 struct Linter::State {
   State(const trace::Header& header, const LintOptions& given)
-      : options(given), after_step(header.poses_at == "after_step") {
+      : options(given), after_step(header.poses_at == "after_step"), balance(header) {
     solids.tolerance = options.tolerance;
     solids.are_of_bullet = header.engine == "Bullet";
     add(header.shapes);
@@ -169,14 +178,21 @@ struct Linter::State {
       return frame != nullptr && frame->frame == now->frame + offset ? frame : nullptr;
     };
     std::map<const trace::Pair*, Explained> explained;
-    const Moments moments{
-        neighbour(before, -1), now, neighbour(after, 1), &options, &explained, after_step};
+    const Moments moments{neighbour(before, -1),
+                          now,
+                          neighbour(after, 1),
+                          &options,
+                          &explained,
+                          &balance,
+                          after_step};
+    balance.see(solids, moments);
     for (const std::unique_ptr<Watch>& watch : watches) watch->see(solids, moments);
   }
 
   LintOptions options;
   bool after_step;
   Solids solids;
+  Balance balance;
   std::vector<Finding> hints;
   std::vector<std::unique_ptr<Watch>> watches;
   const trace::Frame *before = nullptr, *now = nullptr, *after = nullptr;

@@ -1,14 +1,13 @@
+#include "lint/balance.h"
 #include "lint/watch.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {
 namespace {
 
-constexpr double kGravity = 9.81;  // metres per second squared
 constexpr std::array kUnits = {std::pair("centimetres", 100.0), std::pair("millimetres", 1000.0)};
-constexpr int kEnough = 5;              // minimum number of samples
-constexpr double kAlike = 0.1;          // samples differ by at most this share
-constexpr double kSomeFriction = 1e-5;  // of the normal impulse; less is rounding
+constexpr int kEnough = 5;      // minimum number of samples
+constexpr double kAlike = 0.1;  // samples differ by at most this share
 
 /// A number from many frames or bodies.
 struct Samples {
@@ -52,43 +51,6 @@ bool is_near(double value, double target) {
   return std::abs(value - target) <= kAlike * std::abs(target);
 }
 
-/// Sums of the contact impulses on a body in a frame, N s.
-struct Load {
-  Vec3d impulse = Vec3d::Zero();
-  Vec3d once = Vec3d::Zero();  // without points that are there already
-  bool is_known = true;        // no active point is without an impulse
-  bool has_friction = false;   // some engines report none
-  std::set<std::array<double, 4>> points{};
-};
-using Loads = std::map<std::string, Load>;  // by body
-
-Loads loads_of(const Solids& solids, const trace::Frame& frame) {
-  Loads loads;
-  const auto add = [&](Load& load, double sign, const Vec3d& normal, const trace::Point& point) {
-    load.is_known = load.is_known && point.impulse;
-    if (!point.impulse) return;
-    const Vec3d& friction = point.impulse->friction;
-    const Vec3d impulse = sign * (point.impulse->normal * normal + friction);
-    const Vec3d& at = point.position;
-    if (load.points.insert({at.x(), at.y(), at.z(), point.impulse->normal}).second)
-      load.once += impulse;
-    load.impulse += impulse;
-    if (friction.norm() > kSomeFriction * std::abs(point.impulse->normal)) load.has_friction = true;
-  };
-  for (const trace::Pair& pair : frame.pairs) {
-    const std::string &a = solids.body_of(pair.a), &b = solids.body_of(pair.b);
-    if (a == b) continue;  // two parts of one body
-    for (const trace::Manifold& manifold : pair.manifolds)
-      for (const trace::Point& point : manifold.points) {
-        if (!point.active) continue;
-        add(loads[a], -1, manifold.normal, point);
-        add(loads[b], 1, manifold.normal, point);
-      }
-  }
-  std::erase_if(loads, [](const auto& one) { return !one.second.is_known; });
-  return loads;
-}
-
 class MotionWatch final : public Watch {
  public:
   explicit MotionWatch(const trace::Header& header)
@@ -96,15 +58,12 @@ class MotionWatch final : public Watch {
 
   void see(const Solids& solids, const Moments& frames) override {
     see_densities(solids, frames);
-    before_ = std::move(now_);
-    now_ = frames.before == nullptr ? loads_of(solids, *frames.now) : std::move(after_);
-    if (frames.before == nullptr) before_.clear();
     if (frames.after == nullptr) return;
-    after_ = loads_of(solids, *frames.after);
     const double step = frames.after->time - frames.now->time;
     if (!(step > 0)) return;
     if (frames.before != nullptr) see_falls(solids, frames, step);
     see_rests(frames, step);
+    see_drops(*frames.balance, frames);
   }
 
   void report(std::vector<Finding>& findings) override {
@@ -167,58 +126,74 @@ class MotionWatch final : public Watch {
       if (body.velocity.norm() > in_a_step ||
           (after->velocity - body.velocity).norm() > kAlike * in_a_step)
         continue;
-      const auto load = now_.find(body.name);
-      if (load == now_.end()) continue;
-      const Vec3d weights = load->second.impulse / (body.mass * in_a_step);
+      const Load* const load = known_load(frames.balance->now, body.name);
+      if (load == nullptr) continue;
+      const Vec3d weights = load->impulse / (body.mass * in_a_step);
       // The solver leaves sleeping bodies out.
-      const auto earlier = before_.find(body.name);
+      const Load* const earlier = known_load(frames.balance->before, body.name);
       if (weights.isZero() && body.velocity.isZero() && after->velocity.isZero() &&
-          (earlier == before_.end() || earlier->second.impulse.isZero()))
+          (earlier == nullptr || earlier->impulse.isZero()))
         continue;
       for (int axis = 0; axis < 3; ++axis)
         if (std::abs(weights[axis]) > 0.95 * weights.norm())
           at(rests_, axis).add(weights[axis], frames.now->line, frames.now->frame, body.name);
       weights_.add(weights.dot(up_), frames.now->line, frames.now->frame, body.name);
-      see_flicker(frames, body, load->second, in_a_step);
+      const bool is_judged = frames.balance->missing(body.name) && !off_.contains(body.name);
+      flicker_.of += !is_judged;
+      if (!is_judged && jumps(frames, body, in_a_step))
+        see_flicker(frames, body.name, load->impulse, earlier->impulse, 1);
       steps_ = frames.now->solver->substeps;
       step_ = step;
     }
   }
 
-  /// Impulses that are others for a frame, or that do not carry the weight. If they do so without
-  /// points that are there twice, those are the fault.
-  void see_flicker(const Moments& frames, const trace::Body& body, const Load& now,
-                   double in_a_step) {
-    constexpr double kOff = 0.5;
-    const double weight = body.mass * in_a_step;
-    const auto before = before_.find(body.name), after = after_.find(body.name);
+  /// The contacts of a body carry less or more than in the frame before, and its motion shows that
+  /// this is not so. A force that is no contact's changes the motion instead.
+  void see_drops(const Balance& balance, const Moments& frames) {
+    std::set<std::string> off;
+    for (const auto& [body, one] : balance.all()) {
+      flicker_.of += balance.missing(body) != nullptr;
+      if (!balance.is_off(body)) continue;
+      off.insert(body);
+      const Load *const then = known_load(balance.before, body), *const now =
+                                                                     known_load(balance.now, body);
+      if (then == nullptr || off_.contains(body)) continue;
+      const Vec3d carried = now == nullptr ? Vec3d(Vec3d::Zero()) : now->impulse;
+      constexpr double kAbout = 0.5, kLargeShare = 0.25;  // Bullet forgets a point now and then
+      if ((then->impulse - carried - one.impulse).norm() > kAbout * one.impulse.norm()) continue;
+      see_flicker(frames, body, carried, then->impulse, one.share > kLargeShare ? one.share : 0);
+    }
+    off_ = std::move(off);
+  }
+
+  void see_flicker(const Moments& frames, const std::string& body, const Vec3d& now,
+                   const Vec3d& then, double size) {
+    flicker_.wrong_at({frames.now->frame, frames.now->line, body, ""}, frames, size, [&] {
+      return std::pair("its contacts carry " + shown(now.norm()) + " N s, and " +
+                           shown(then.norm()) + " N s in the frame before",
+                       std::string("its motion shows no such change"));
+    });
+  }
+
+  /// Whether the impulses on a body at rest are others for a frame. If they are not without points
+  /// that are there twice, those are the fault.
+  static bool jumps(const Moments& frames, const trace::Body& body, double in_a_step) {
+    const Balance& balance = *frames.balance;
+    const Load *const before = known_load(balance.before, body.name),
+                      *const now = known_load(balance.now, body.name),
+                      *const after = known_load(balance.after, body.name);
     const trace::Body* const earlier =
         frames.before == nullptr ? nullptr : trace::find_body(*frames.before, body.name);
-    const bool is_between = before != before_.end() && after != after_.end() &&
-                            earlier != nullptr &&
-                            (body.velocity - earlier->velocity).norm() <= kAlike * in_a_step;
-    // Without friction, a share of it may go from one normal to another.
-    const double least = now.has_friction ? kOff : 0.7;
-    const auto jumps = [&](Vec3d Load::*impulse) {
-      if (!is_between) return false;
-      const Vec3d& then = before->second.*impulse;
-      const double jump = (now.*impulse - then).norm();
-      return jump > least * std::max((now.*impulse).norm(), then.norm()) &&
-             (after->second.*impulse - then).norm() < jump / 4;
-    };
-    const auto is_off = [&](const Vec3d& impulse) {
-      return now.has_friction && (impulse / weight - up_).norm() > kOff;
-    };
-    ++rests_now_.of, ++jumps_.of;
-    const auto words = [&] {
-      return std::pair(
-          "its contacts carry " + shown(now.impulse.dot(up_) / weight) + " of its weight",
-          std::string("it rests, and they carry another share in other frames"));
-    };
-    const bool is_other = jumps(&Load::impulse) && jumps(&Load::once);
-    if (is_other) jumps_.wrong(frames, body.name, "", words);
-    if (is_other || (is_off(now.impulse) && is_off(now.once)))
-      rests_now_.wrong(frames, body.name, "", words);
+    if (before == nullptr || after == nullptr || earlier == nullptr ||
+        (body.velocity - earlier->velocity).norm() > kAlike * in_a_step)
+      return false;
+    constexpr double kLeast = 0.7;  // less may go from one normal to another
+    return std::ranges::all_of(std::array{&Load::impulse, &Load::once}, [&](auto impulse) {
+      const Vec3d& then = before->*impulse;
+      const double jump = (now->*impulse - then).norm();
+      return jump > kLeast * std::max((now->*impulse).norm(), then.norm()) &&
+             (after->*impulse - then).norm() < jump / 4;
+    });
   }
 
   void report_axis(std::vector<Finding>& findings) const {
@@ -291,11 +266,13 @@ class MotionWatch final : public Watch {
   }
 
   void report_impulses(std::vector<Finding>& findings) const {
+    constexpr double kShare = 1e-4;
+    constexpr int kRepeats = 2;
     const std::optional<double> share = weights_.common();
-    (share && is_near(*share, 1) ? rests_now_ : jumps_)
-        .report(findings, "impulses on bodies at rest come and go",
-                "check warm starting, and that the impulses of all points and of the last "
-                "iteration are written");
+    flicker_.report(findings, "impulses on bodies at rest come and go",
+                    "check warm starting, and that the impulses of all points and of the last "
+                    "iteration are written",
+                    1, kShare, kRepeats);
     if (!share) return;
     const auto say = [&](const char* cause, const char* what, const char* remedy) {
       findings.push_back(weights_.finding(cause, what, remedy,
@@ -329,8 +306,8 @@ class MotionWatch final : public Watch {
   std::string up_name_;
   std::array<Samples, 3> falls_, rests_;
   Samples weights_, densities_;
-  Loads before_, now_, after_;
-  Tally rests_now_{"impulses_flicker", "poses"}, jumps_{"impulses_flicker", "poses"};
+  std::set<std::string> off_;  // bodies that lacked an impulse in the frame before
+  Tally flicker_{"impulses_flicker", "poses"};
   int steps_ = 0;
   double step_ = 1;
 };

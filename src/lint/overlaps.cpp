@@ -1,3 +1,4 @@
+#include "lint/balance.h"
 #include "lint/solid.h"
 #include "lint/watch.h"
 
@@ -19,7 +20,7 @@ Aabb<double> box_of(const Placed& placed) {
 
 struct Missing {
   int count = 0;
-  int line = 0, frame = 0;
+  int line = 0, frame = 0, last = 0;
   double deepest = 0, size = 0;  // metres, and relative to the smaller shape
   bool is_gross = false;
 
@@ -28,6 +29,7 @@ struct Missing {
     constexpr double kGrossly = 15;
     is_gross = is_gross || hangs || overlap > kGrossly * tolerance;
     if (hangs) size = 1;
+    last = frames.now->frame;
     if (count++ > 0 && overlap <= deepest) return;
     deepest = overlap;
     size = hangs ? 1 : std::max(size, overlap / of);
@@ -93,6 +95,11 @@ class OverlapsWatch final : public Watch {
       return one.second.count < kResting || with_contacts_.contains(one.first) ||
              (deep_.contains(one.first) && !hanging_.contains(one.first));
     });
+    std::erase_if(lacking_, [](const auto& one) { return one.second.count < kResting; });
+    for (auto& [names, one] : lacking_) {
+      one.count = std::max(one.count, resting_[names].count);
+      resting_[names] = one;
+    }
     report_kind("pair_never_reported", "a body rests on another, and no contact is reported",
                 "check the broad phase, the filter of pairs, and what is left out when a frame is "
                 "written; if a joint holds the bodies, ignore this pair",
@@ -126,6 +133,12 @@ class OverlapsWatch final : public Watch {
     if (overlap > 4 * solids.allowed_for(*a, *b) && !(&list == &untold_ && is_asleep))
       list[names].add(frames, overlap, tolerance, size);
     if (both_still || solids.body_of(names.first) == solids.body_of(names.second)) return;
+    if (&list == &untold_ && overlap > -tolerance &&
+        lacks_contact(solids, *frames.balance, names, separation->normal)) {
+      Missing& lacking = lacking_[names];
+      if (lacking.count < kResting && frames.now->frame > lacking.last + 1) lacking = {};
+      lacking.add(frames, overlap, tolerance, size, true);
+    }
     constexpr double kMinimum = 1e-6, kUpright = 0.5;
     const double reach = a->pose.position.norm() + b->pose.position.norm();
     const double up = separation->normal.isZero() ? (a->solid->is_convex() ? -1 : 1)
@@ -136,6 +149,19 @@ class OverlapsWatch final : public Watch {
         overlap > -tolerance / 4 && hangs(solids, frames, up > 0 ? names.second : names.first);
     if (is_hanging) hanging_.insert(names);
     if (rests || is_hanging) resting_[names].add(frames, overlap, tolerance, size, is_hanging);
+  }
+
+  /// Whether the impulses that two bodies lack are those of a contact of these shapes.
+  static bool lacks_contact(const Solids& solids, const Balance& balance, const Names& names,
+                            const Vec3d& normal) {
+    const std::string &a = solids.body_of(names.first), &b = solids.body_of(names.second);
+    if (!balance.is_off(a) && !balance.is_off(b)) return false;
+    const Balance::Missing *const on_a = balance.missing(a), *const on_b = balance.missing(b);
+    const Vec3d from_a = on_a == nullptr ? on_b->impulse : Vec3d(-on_a->impulse);
+    const Vec3d impulse = on_b == nullptr ? from_a : on_b->impulse;
+    constexpr double kOpposite = 0.1, kAlong = 0.5;
+    return (from_a - impulse).norm() <= kOpposite * impulse.norm() &&
+           (normal.isZero() || normal.dot(impulse) > kAlong * impulse.norm());
   }
 
   /// Whether nothing is reported that holds a body, and it does not fall.
@@ -164,12 +190,15 @@ class OverlapsWatch final : public Watch {
                         "no contact", "they overlap by " + metres(deepest->second.deepest)});
     findings.back().is_severe = deepest->second.is_gross;
     findings.back().size = deepest->second.size;
+    for (const auto& [names, one] : list)
+      findings.back().pairs.push_back({names.first, names.second, one.count, one.line, one.frame});
   }
 
   std::set<Names> with_contacts_;
   // Bodies that have a contact in this frame, and those that one pushes up.
   std::set<std::string> touched_, held_;
   List separation_, untold_, resting_;
+  List lacking_;  // pairs of bodies that move as if they had a contact that is not reported
   std::set<Names> hanging_;  // pairs without a contact of a body that nothing else holds
   std::set<Names> deep_;     // pairs without a contact that overlap more than bodies at rest
   int touching_ = 0;         // pairs with contacts, of all frames

@@ -125,6 +125,13 @@ constexpr const char* kTableOf = std::same_as<T, Header>     ? "Header"
 template <class T>
 inline constexpr bool kIsOfHeader = std::same_as<T, Header> || std::same_as<T, Shape>;
 
+/// How the value of a key that others write differs from the one here; else empty.
+std::string other_order(std::string_view name) {
+  if (name.ends_with("xyzw")) return "write w first; ";
+  const bool is_depth = name.find("depth") != name.npos || name.find("penetration") != name.npos;
+  return is_depth ? "write separation = -depth, which is negative in overlap; " : "";
+}
+
 /// `names` are the keys of the fact.
 [[noreturn]] void report_missing(const Node& owner, const char* table, const char* key,
                                  std::vector<std::string_view> names) {
@@ -136,7 +143,7 @@ inline constexpr bool kIsOfHeader = std::same_as<T, Header> || std::same_as<T, S
     const std::string near = nearest(name, names);
     const bool is_meant = near == key || otherwise.find("`" + near + "`") != otherwise.npos;
     if (is_meant && near != name)
-      hint += "by '" + printable(name) + "' did you mean '" + near + "'? ";
+      hint += "by '" + printable(name) + "' did you mean '" + near + "'? " + other_order(name);
   }
   if (known == nullptr) owner.lacks(key, "", hint);
   const bool follows = otherwise != "needed";

@@ -162,6 +162,11 @@ TEST(CommandLine, OtherSpellingsAndMissingWordsAreNamedInTheSameForm) {
       {"render my.toml --jobs -1", "--jobs is -1; it may be 0 to 256"},
       {"render my.toml --fov wide", "--fov 'wide' is not a number; it may be 1 to 150"},
       {"render my.toml --theme drak", "--theme 'drak' is not known; did you mean 'dark'?"},
+      {"render my.toml --format view",
+       "'view' is not known; did you mean 'viewer'? there is 'png'"},
+      {"lint my.toml --tolerance 1mm",
+       "'1mm' is not a number; it may be 0 to 1000000; write metres "
+       "without the unit"},
       {"render my.toml --out", "--out needs a value; write --out DIR"},
       {"list layer", "WHAT 'layer' is not known; did you mean 'layers'?"},
       {"trace a b", "trace takes only one argument, and 'b' is one more"},

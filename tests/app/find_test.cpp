@@ -146,6 +146,8 @@ TEST(FindVerb, ExitCodesAndErrors) {
   for (const std::string word : {"penetration", "depth", "Overlap"})
     EXPECT_THAT(run("find '" + file + "' '" + word + " > 5 mm'").err,
                 HasSubstr("'" + word + "' is not a quantity; did you mean 'overlap'?"));
+  EXPECT_THAT(run("find '" + file + "' 'velocity > 3'").err,
+              HasSubstr("did you mean 'motion'? it is in metres since the frame before; known:"));
   const std::string broken = folder.write("broken.jsonl", crate_trace({4}) + "{\"frame\":1,}\n");
   const ProgramRun bad = run("find '" + broken + "' 'points > 4'");
   EXPECT_EQ(bad.exit_code, 2);
@@ -159,6 +161,11 @@ TEST(DiffVerb, ReportsTheFirstDifference) {
   const ProgramRun same = run("diff '" + a + "' '" + a + "'");
   EXPECT_EQ(same.exit_code, 0);
   EXPECT_EQ(same.out, "the same: 3 frames\n");
+  std::string spaced = crate_trace({4, 4, 4});
+  for (std::size_t i = 0; (i = spaced.find(",\"", i)) != spaced.npos; i += 2)
+    spaced.insert(i + 1, " ");
+  const std::string other = folder.write("spaced.jsonl", spaced);
+  EXPECT_EQ(run("diff '" + a + "' '" + other + "'").out, "the same: 3 frames\n");
   const ProgramRun text = run("diff '" + a + "' '" + b + "'");
   EXPECT_EQ(text.exit_code, 1);
   EXPECT_THAT(text.out, HasSubstr("first in frame 1, ground-crate, stage: points"));

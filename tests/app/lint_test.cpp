@@ -136,6 +136,15 @@ TEST(LintVerb, KnownAndIgnoredFindingsExitWithZero) {
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("--ignore: there is no shape 'crat'; did you mean 'crate'? "
                                      "there is 'crate' and 'ground'"));
+  EXPECT_THAT(run("render --ignore half_depths:crat '" + half + "'").err,
+              HasSubstr("--ignore: there is no shape 'crat'; did you mean 'crate'?"));
+  const std::string text = folder.write("known.txt", "lost pairs\n");
+  EXPECT_THAT(run("lint --known '" + text + "' '" + half + "'").err,
+              HasSubstr("no findings of lint can be read here (it is not JSON); write them with"));
+  const std::string array = folder.write("run.json", "[\n" + crate("0,1,0", "-0.01") + "]\n");
+  EXPECT_THAT(
+      run("lint '" + array + "'").err,
+      HasSubstr("run.json:1:1: this is a JSON array, and a trace has one JSON object a line"));
   const ProgramRun misspelled = run("lint --ignore half_depth:crate '" + half + "'");
   EXPECT_EQ(misspelled.exit_code, 2);
   EXPECT_THAT(misspelled.err, HasSubstr("did you mean 'half_depths'?"));

@@ -288,7 +288,7 @@ TEST(LintFaults, AGrossOneIsReportedHoweverRareItIs) {
 TEST(LintFaults, ARareOneLikeOthersOfTheTraceStaysBelowTheThreshold) {
   Trace trace = long_stack(80);
   const Target target = targets(trace, 1).front();
-  for (const auto& [frame, metres] : {std::pair(1000, 0.005), {2000, 0.02}})
+  for (const auto& [frame, metres] : {std::pair(1000, 0.0015), {2000, 0.008}})
     for (trace::Pair& pair : at(trace.frames, frame).pairs)
       if (pair.a == target.a && pair.b == target.b)
         for (trace::Manifold& manifold : pair.manifolds)

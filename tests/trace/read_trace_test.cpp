@@ -93,6 +93,20 @@ TEST(ReadTrace, AKeyThatIsThereInsteadOfTheMissingOneIsNamed) {
   frame["poses"]["zebra"] = {{"position", {0, 0, 0}}, {"quaternion", {1, 0, 0, 0}}};
   EXPECT_THAT(complaint(header_line() + frame.dump()),
               HasSubstr("no key 'quat_wxyz'; by 'quaternion' did you mean 'quat_wxyz'? a trace"));
+  frame["poses"]["zebra"] = {{"position", {0, 0, 0}}, {"quat_xyzw", {0, 0, 0, 1}}};
+  EXPECT_THAT(
+      complaint(header_line() + frame.dump()),
+      HasSubstr("by 'quat_xyzw' did you mean 'quat_wxyz'? write w first; a trace needs it"));
+  frame["poses"].erase("zebra");
+  ordered_json& point = frame["pairs"][0]["manifolds"][0]["points"][0];
+  point.erase("separation");
+  point["depth"] = 0.01;
+  EXPECT_THAT(complaint(header_line() + frame.dump()),
+              HasSubstr("by 'depth' did you mean 'separation'? write separation = -depth, which"));
+  frame["bodies"] = frame["poses"];
+  frame.erase("poses");
+  EXPECT_THAT(complaint(header_line() + frame.dump()),
+              HasSubstr("no key 'poses'; by 'bodies' did you mean 'poses'? a trace needs it"));
 }
 
 TEST(ReadTrace, ABoxWithHalfExtentsAndASphereWithARadiusNeedNoVertices) {

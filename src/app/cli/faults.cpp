@@ -69,6 +69,7 @@ KnownFindings::KnownFindings(const Options& options)
   try {
     const std::optional<std::string> text = snapshot::read_text_file(path_);
     if (!text) throw std::invalid_argument("there is no such file");
+    if (!nlohmann::json::accept(*text)) throw std::invalid_argument("it is not JSON");
     const auto json = nlohmann::json::parse(*text);
     if (json.at("schema") != kLintSchema) throw std::invalid_argument("another schema");
     // The findings of one file hold for traces of any name.

@@ -145,6 +145,8 @@ void narrow(Sequence& sequence, const Options& options) {
       names.insert(names.end(), kFocusNames.begin(), kFocusNames.end());
     for (const std::string& name : options.focus) require_shape(names, "--focus", name);
   }
+  for (const lint::Ignored& one : linter_options(options).ignored)
+    if (!one.shape.empty()) require_shape(names_in(sequence.header.shapes), "--ignore", one.shape);
   if (options.pair.empty() && options.shapes.empty()) return;
   const auto is_pair = chosen_pair(sequence.header, options);
   std::set<std::string> shown(options.shapes.begin(), options.shapes.end());

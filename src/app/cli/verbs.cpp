@@ -93,6 +93,10 @@ template <class Number> void check_number(const Option& option, const std::strin
   if (low < high) limits << "; it may be " << low << " to " << high;
   const char* const kind =
       std::is_integral_v<Number> ? "' is not a whole number" : "' is not a number";
+  const bool has_unit =
+      number_in<double>(text.substr(0, text.find_first_not_of("+-.0123456789"))).has_value();
+  if (!number && has_unit && option.value == "METRES")
+    limits << "; write metres without the unit, as 0.001 for 1 mm";
   if (!number) throw UsageError(option.name() + " '" + text + kind + limits.str());
   const auto value = static_cast<double>(*number);
   if (low < high && !(value >= low && value <= high))
