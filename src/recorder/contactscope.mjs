@@ -79,7 +79,7 @@ export class Recorder {
   /** @type {string | null} */ #head;  // until it is written
   /** @type {string[]} */ #names = [];  // by shape, as JSON
   #taken = new Set();
-  /** @type {(string | null)[]} */ #shapes = [];  // by shape: its entry without the closing brace; null for compounds, and once written
+  /** @type {(string | null)[]} */ #shapes = [];  // by shape: entry without closing brace; null: a compound, or written
   /** @type {Map<number, number>} */ #margins = new Map();  // metres, by shape
   /** @type {Map<number, { compound: number, pose: Pose }>} */ #parts = new Map();  // by shape
   /** @type {Set<number>} */ #compounds = new Set();
@@ -140,6 +140,7 @@ export class Recorder {
 
   /** @param {string | null} name @param {number} halfX @param {number} halfY @param {number} halfZ */
   box(name, halfX, halfY, halfZ) {
+    /** @type {Triple} */
     const half = numbers([halfX, halfY, halfZ], 3, "half extents");
     const corners = Array.from({ length: 8 }, (_, i) => half.map((h, k) => (i >> k & 1 ? h : -h)));
     return this.#solid(name, "box", corners, `,"faces":${kBoxFaces}`);
@@ -185,8 +186,8 @@ export class Recorder {
   mesh(name, vertices, triangles) {
     const corners = vectors(vertices);
     const faces = inThrees(triangles, "triangles");
-    for (const face of faces)
-      if (face.length !== 3 || !face.every((i) => Number.isInteger(i) && i >= 0 && i < corners.length))
+    for (const face of faces.map((one) => listOf(one, "a triangle")))
+      if (face.length !== 3 || face.some((/** @type {unknown} */ i) => !Number.isInteger(i) || !corners[Number(i)]))
         throw new RangeError(`triangle [${face}] of mesh ${shown(name)} is not three indices of its ${corners.length} vertices`);
     return this.#solid(name, "mesh", corners, `,"faces":[${faces.map((face) => `[${face}]`)}]`);
   }
@@ -203,7 +204,7 @@ export class Recorder {
    * @param {string | null} name @param {Iterable<ArrayLike<number>>} rows @param {number} spacing
    */
   heightField(name, rows, spacing) {
-    const heights = Array.from(rows, (row) => Array.from(row, (height) => scalar(height, "a height")));
+    const heights = listOf(rows, "rows").map((row) => listOf(row, "a row").map((height) => scalar(height, "a height")));
     const columns = heights[0]?.length ?? 0, gap = scalar(spacing, "spacing");
     if (heights.length < 2 || columns < 2 || heights.some((row) => row.length !== columns))
       throw new RangeError(`height field ${shown(name)} needs two or more rows of the same length, two or more`);
@@ -276,7 +277,10 @@ export class Recorder {
     this.#solver = null;
   }
 
-  /** A shape without a pose is absent from this frame. @param {number} shape @param {Vector} position @param {Quaternion} [quaternion] */
+  /**
+   * A shape without a pose is absent from this frame.
+   * @param {number} shape @param {Vector} position  Metres, world. @param {Quaternion} [quaternion]  Not turned by default.
+   */
   pose(shape, position, quaternion = kUnturned) {
     this.#begun();
     this.#poses.set(this.#known(shape), poseOf(position, quaternion));
@@ -293,7 +297,7 @@ export class Recorder {
     this.#known(a), this.#known(b);
     if (a === b) throw new RangeError("a manifold is of two shapes");
     const swapped = a > b, direction = numbers(normal, 3, "normal"), face = integer(triangle, "triangle");
-    const kept = Array.from(points, (point) => checked(point, swapped));
+    const kept = listOf(points, "points").map((point) => checked(point, swapped));
     if (kept.length === 0) return;
     this.#manifolds.push({ a: Math.min(a, b), b: Math.max(a, b), triangle: face,
                            normal: swapped ? negated(direction) : direction, points: kept });
@@ -391,7 +395,10 @@ export class Recorder {
     return this.#add(name, `{"type":"${type}","vertices":[${corners}]${rest}`);
   }
 
-  /** @param {string | null} name @param {string} type @param {number} axis @param {number} halfLength @param {number} radius @param {number} top */
+  /**
+   * @param {string | null} name @param {string} type @param {number} axis @param {number} halfLength
+   * @param {number} radius  At -halfLength. @param {number} top  At +halfLength.
+   */
   #turned(name, type, axis, halfLength, radius, top) {
     if (![0, 1, 2].includes(axis)) throw new RangeError(`axis ${shown(axis)} is not 0, 1 or 2`);
     const half = scalar(halfLength, "halfLength");
@@ -451,7 +458,8 @@ export class Recorder {
   #solved() {
     if (this.#solver === null && this.#bodies.length === 0) return "";
     const [iterations, substeps, warmStart] = this.#solver ?? [0, 0, false];
-    const bodies = this.#bodies.sort((one, other) => one.shape - other.shape).map(({ shape, mass, vectors: [center, velocity, spin] }) =>
+    this.#bodies.sort((one, other) => one.shape - other.shape);
+    const bodies = this.#bodies.map(({ shape, mass, vectors: [center, velocity, spin] }) =>
       `${this.#names[shape]}:{"mass":${this.#text(mass)},"center_of_mass":${this.#list(center)}` +
       `,"velocity":${this.#list(velocity)},"angular_velocity":${this.#list(spin)}}`);
     const warm = warmStart ? ',"warm_start":true' : "";
@@ -464,13 +472,15 @@ const kUnturned = [1, 0, 0, 0];
 /** A value as it stands in an error. @param {unknown} value */
 function shown(value) {
   if (typeof value === "string") return JSON.stringify(value);
-  if (Array.isArray(value)) return "an array";
-  return typeof value === "object" && value !== null ? `an object with ${Object.keys(value).join(", ") || "no keys"}` : String(value);
+  if (Array.isArray(value) || ArrayBuffer.isView(value)) return "an array";
+  if (typeof value !== "object" || value === null) return String(value);
+  return `an object with ${Object.keys(value).join(", ") || "no keys"}`;
 }
 
 /** @param {object} given @param {string[]} known @param {string} what */
 function onlyKeys(given, known, what) {
-  if (typeof given !== "object" || given === null) throw new TypeError(`${what}: ${shown(given)} is not an object with keys of ${known.join(", ")}`);
+  if (typeof given !== "object" || given === null)
+    throw new TypeError(`${what}: ${shown(given)} is not an object with keys of ${known.join(", ")}`);
   for (const key in given)
     if (!known.includes(key)) throw new TypeError(`${what}: there is no key "${key}"; the keys are ${known.join(", ")}`);
 }
@@ -490,19 +500,24 @@ function integer(value, what) {
 /** @param {any} value  A Vector or a Quaternion. @param {number} count @param {string} what @returns {any} */
 function numbers(value, count, what) {
   const isList = Array.isArray(value) || ArrayBuffer.isView(value);
-  if (!isList && typeof value?.x !== "number")
-    throw new TypeError(`${what} is ${shown(value)}; pass ${count === 3 ? "[x, y, z] or {x, y, z}" : "[w, x, y, z] or {w, x, y, z}"}`);
-  const { w, x, y, z } = value, list = isList ? Array.from(value) : w === undefined ? [x, y, z] : [w, x, y, z];
+  const keys = count === 3 ? "x, y, z" : "w, x, y, z";
+  if (!isList && typeof value?.x !== "number") throw new TypeError(`${what} is ${shown(value)}; pass [${keys}] or {${keys}}`);
+  const { w, x, y, z } = value, list = isList ? Array.from(/** @type {any} */ (value)) : w === undefined ? [x, y, z] : [w, x, y, z];
   if (list.length !== count) throw new RangeError(`${what} has ${list.length} numbers, not ${count}`);
   for (const number of list) scalar(number, `a number of ${what}`);
   return list;
 }
 
-/** Lists of three, or one array of all. @param {Iterable<any> | ArrayLike<any>} values @param {string} what @returns {any[]} */
+/** @param {any} values @param {string} what @returns {any[]} */
+function listOf(values, what) {
+  if (typeof values?.[Symbol.iterator] === "function" && typeof values !== "string") return Array.from(values);
+  throw new TypeError(`${what}: ${shown(values)} is not a list; pass an array`);
+}
+
+/** Lists of three numbers from such lists, or from one of all. @param {any} values @param {string} what @returns {any[]} */
 function inThrees(values, what) {
-  if (typeof values !== "object" || values === null) throw new TypeError(`${what}: ${shown(values)} is no list`);
-  const list = Array.from(values);
-  if (typeof list[0] !== "number") return list.map((one) => (ArrayBuffer.isView(one) ? Array.from(/** @type {any} */ (one)) : one));
+  const list = listOf(values, what);
+  if (typeof list[0] !== "number") return list.map((one) => (ArrayBuffer.isView(one) ? listOf(one, what) : one));
   if (list.length % 3 !== 0) throw new RangeError(`${what}: ${list.length} numbers are not three for each`);
   return Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3));
 }
@@ -525,7 +540,10 @@ function byNumbers(one, other) {
   return 0;
 }
 
-/** A point as it is written: a copy, its sides and friction swapped with the pair. @param {Point} point @param {boolean} swapped @returns {Checked} */
+/**
+ * A point as it is written: a copy, its sides and friction swapped with the pair.
+ * @param {Point} point @param {boolean} swapped @returns {Checked}
+ */
 function checked(point, swapped) {
   onlyKeys(point, kPointKeys, "a point");
   const { onA, onB, impulse, friction, id } = point;
@@ -549,9 +567,13 @@ function quoted(text) {
 }
 
 // Doubles below the power of ten that they stand for, of which contactscope.h writes the power.
-const kRoundPowers = new Set([1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1].filter((ten) => ten.toExponential(16)[0] === "9"));
+const kPowers = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
+const kRoundPowers = new Set(kPowers.filter((power) => power.toExponential(16)[0] === "9"));
 
-/** `value` with `count` significant digits, halves rounded away from zero; null if it is not finite. @param {number} value @param {number} count */
+/**
+ * `value` with `count` significant digits, halves rounded away from zero; null if it is not finite.
+ * @param {number} value @param {number} count
+ */
 function inJson(value, count) {
   if (!Number.isFinite(value)) return "null";  // JSON has no nan or infinity; readers report where it is
   const size = Math.abs(value);
@@ -584,7 +606,8 @@ function printed(value, count) {
   let [digits, power] = apart(count - 1);
   if (size >= 1e-10 && size < 1e19) {  // others are never halfway
     const [exact, exactPower] = apart(100);
-    if (/^50*$/.test(exact.slice(count)) && Number(exact[count - 1]) % 2 === 0) [digits, power] = [exact.slice(0, count), exactPower];
+    const isHalf = /^50*$/.test(exact.slice(count)), isEven = Number(exact[count - 1]) % 2 === 0;
+    if (isHalf && isEven) [digits, power] = [exact.slice(0, count), exactPower];
   }
   const tens = Number(power);
   if (tens >= -4 && tens < count) return sign + withPoint(digits, tens);
@@ -592,7 +615,10 @@ function printed(value, count) {
   return `${sign}${digits[0]}${fraction ? "." : ""}${fraction}e${tens < 0 ? "-" : "+"}${String(Math.abs(tens)).padStart(2, "0")}`;
 }
 
-/** World pose of a part of a compound. The order of the operations is that of contactscope.h. @param {Pose} whole @param {Pose} part @returns {Pose} */
+/**
+ * World pose of a part of a compound. The order of the operations is that of contactscope.h.
+ * @param {Pose} whole @param {Pose} part @returns {Pose}
+ */
 function composed({ place, turn: p }, { place: v, turn: q }) {
   const at = (/** @type {number} */ k) => 1 + k % 3;
   const t = [0, 1, 2].map((k) => 2 * (p[at(k + 1)] * v[(k + 2) % 3] - p[at(k + 2)] * v[(k + 1) % 3]));

