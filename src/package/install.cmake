@@ -55,6 +55,7 @@ endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/src/recorder/contactscope.py
+    ${PROJECT_SOURCE_DIR}/src/recorder/contactscope.mjs
     ${PROJECT_SOURCE_DIR}/src/trace/findings.schema.json
     ${PROJECT_SOURCE_DIR}/src/trace/trace.schema.json
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/contactscope COMPONENT program)

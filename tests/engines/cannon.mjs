@@ -118,7 +118,7 @@ function worldOf(pieces, gravity, step) {
   };
 }
 
-if (isRollout) await rollOut("cannon-es", versionOf("cannon-es"), worldOf);
+if (isRollout) await rollOut("cannon-es", versionOf("cannon-es"), worldOf, true);
 else await answer("cannon-es", versionOf("cannon-es"), (frame, shapes, asked) => {
   for (const [name, pose] of Object.entries(frame.poses)) {
     const body = bodyOf(name, shapes[name]);

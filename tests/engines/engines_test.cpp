@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -137,6 +139,34 @@ TEST(Engines, CannonHasNoCapsules) {
   const Json cannon = versus("round/sphere_capsule", "cannon").at("cannon");
   EXPECT_GT(cannon["missed"], 0);
   EXPECT_THAT(cannon["said"].get<std::string>(), testing::HasSubstr("capsule"));
+}
+
+/// The loop around a step in the README of the recorders, with a crate that falls on the ground.
+TEST(Engines, TheRecordersReadmeRecordsCannon) {
+  const std::string recorders = CONTACTSCOPE_SOURCE_DIR "/src/recorder";
+  const std::string readme = read_text(recorders + "/README.md");
+  const std::size_t begin =
+      readme.find("    const recorder = new Recorder(\"run.jsonl\", \"mine/crate\"");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string loop = readme.substr(begin, readme.find("\n\n", begin) - begin);
+  const TemporaryFolder folder;
+  std::filesystem::create_directory_symlink(CONTACTSCOPE_SOURCE_DIR "/tests/engines/node_modules",
+                                            folder / "node_modules");
+  const std::string script = folder.write("script.mjs", R"(import * as CANNON from "cannon-es";
+import { Recorder } from ")" + recorders + R"(/contactscope.mjs";
+const world = new CANNON.World({ gravity: new CANNON.Vec3(0, -9.81, 0) });
+const ground = new CANNON.Body({ mass: 0, shape: new CANNON.Plane() });
+const crate = new CANNON.Body({ mass: 1, shape: new CANNON.Box(new CANNON.Vec3(0.5, 0.5, 0.5)) });
+ground.quaternion.setFromEuler(-Math.PI / 2, 0, 0);
+crate.position.set(0, 0.6, 0);
+for (const body of [ground, crate]) world.addBody(body);
+)" + loop + "\nfor (let i = 0; i < 120; ++i) step();\nrecorder.stop();\n");
+  ASSERT_EQ(std::system(("cd '" + folder.path().string() + "' && node '" + script + "'").c_str()),
+            0);
+  const ProgramRun lint = run("lint --json '" + folder / "run.jsonl" + "'");
+  EXPECT_EQ(lint.exit_code, 0) << lint.out << lint.err;
+  const ProgramRun found = run("find '" + folder / "run.jsonl" + "' 'points >= 4' --json");
+  EXPECT_EQ(found.exit_code, 0) << found.err;
 }
 
 }  // namespace

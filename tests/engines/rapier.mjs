@@ -54,6 +54,12 @@ const onBody = (collider, pose) => {
 
 const kinds = { 1: "v", 2: "e", 3: "f" };
 const feature = (fid) => (kinds[fid >>> 30] ? `${kinds[fid >>> 30]}${fid & 0x3fffffff}` : null);
+/** An id of two features: a number for the recorder, else a text. */
+function idOf(fid1, fid2) {
+  const f1 = feature(fid1), f2 = feature(fid2);
+  if (!f1 || !f2) return {};
+  return { id: isRollout ? (BigInt(fid1 >>> 0) << 32n) | BigInt(fid2 >>> 0) : `a:${f1} b:${f2}` };
+}
 
 /** The manifolds of two colliders, which are on bodies with these poses. */
 function manifoldsOf(world, [a, one, poseA], [b, other, poseB]) {
@@ -67,10 +73,9 @@ function manifoldsOf(world, [a, one, poseA], [b, other, poseB]) {
     for (let i = 0; i < manifold.numContacts(); ++i) {
       const on_a = toFirst(numbers(manifold.localContactPoint1(i)));
       const on_b = toSecond(numbers(manifold.localContactPoint2(i)));
-      const f1 = feature(manifold.contactFid1(i)), f2 = feature(manifold.contactFid2(i));
       // Of a contact that it keeps from the step before contactDist() is still that of then; it solves what the points say.
       points.push({ position: scaled(add(on_a, on_b), 0.5), separation: dot(sub(on_b, on_a), normal), on_a, on_b,
-                    ...(f1 && f2 ? { id: `a:${f1} b:${f2}` } : {}) });
+                    ...idOf(manifold.contactFid1(i), manifold.contactFid2(i)) });
     }
     manifolds.push({ a: first, b: second, normal, points });
   });

@@ -1,6 +1,7 @@
 // Steps a scene when `contactscope versus --rollout` asks: src/versus/README.md. Metres, kilograms, seconds.
 
-import { add, dot, pairsOf, placed, requestLines, scaled, sub, turned, write } from "./trace.mjs";
+import { Recorder } from "../../src/recorder/contactscope.mjs";
+import { add, dot, halfExtents, isCentered, isWhole, placed, requestLines, scaled, sub, triangles, turned, write } from "./trace.mjs";
 
 /** Whether the program was called to step a scene, and not to find contacts. */
 export const isRollout = process.argv[2] === "rollout";
@@ -54,14 +55,32 @@ function going(from, to, step) {
   };
 }
 
+/** A shape of a request, recorded; its number. */
+function recorded(recorder, name, shape) {
+  const { type, vertices, radius = 0 } = shape;
+  switch (type) {
+    case "sphere":
+      return vertices[0].every((x) => x === 0) ? recorder.sphere(name, radius) : recorder.capsule(name, vertices[0], vertices[0], radius);
+    case "capsule":
+      return recorder.capsule(name, ...vertices, radius);
+    case "plane":
+      return recorder.plane(name, shape.half_space.normal, shape.half_space.offset);
+    case "mesh":
+      return recorder.mesh(name, vertices, triangles(shape));
+    case "box":
+      if (isCentered(shape)) return recorder.box(name, ...halfExtents(shape).half);
+  }
+  return recorder.hull(name, vertices);  // no engine steps the other types
+}
+
 /**
  * Answers a request for a rollout. `make(pieces, gravity, step)` makes a world of the pieces {name, shape, pose, isDynamic,
  * isScripted, friction, restitution, and of dynamic ones mass, center (of mass, in the shape's frame), moments and the
  * turn of their axes, inertiaDiagonal in those of the shape, velocity (of the centre), spin}. It returns {motion(piece), which is {pose, velocity, spin};
  * drive(piece, {pose, next, velocity, spin}), of a scripted one before each step; and step(), which returns
- * manifolds as contacts() of answer() does, with the poses from before it}.
+ * manifolds as contacts() of answer() does, with the poses from before it}. `doubles`: the engine computes in double.
  */
-export async function rollOut(engine, version, make) {
+export async function rollOut(engine, version, make, doubles = false) {
   const [header, ...frames] = requestLines().map((line) => JSON.parse(line));
   const start = frames[0], step = header.world.time_step;
   const pieces = Object.entries(header.shapes).map(([name, shape]) => {
@@ -78,10 +97,11 @@ export async function rollOut(engine, version, make) {
     return piece;
   });
   const world = await make(pieces, header.world.gravity, step);
-  write({ ...header, engine, version, poses_at: "before_step" });
-  frames.forEach((asked, i) => {
-    const poses = {}, bodies = {};
+  const recorder = new Recorder({ write }, header.scenario, { engine, version, doubles, zUp: header.up === "z", posesAt: "before_step" });
+  const numbers = new Map(pieces.map(({ name, shape }) => [name, recorded(recorder, name, shape)]));
+  frames.forEach((asked, i) => recorder.frame(asked.time, () => {
     for (const piece of pieces) {
+      const number = numbers.get(piece.name);
       if (piece.isScripted) {
         const pose = asked.poses[piece.name], next = (frames[i + 1] ?? asked).poses[piece.name];
         world.drive(piece, { pose, next, ...going(pose, next, step) });
@@ -91,14 +111,16 @@ export async function rollOut(engine, version, make) {
         const motion = world.motion(piece);
         const length = Math.hypot(...motion.pose.quat_wxyz);
         piece.pose = { ...motion.pose, quat_wxyz: motion.pose.quat_wxyz.map((x) => x / length) };
-        bodies[piece.name] = { mass: piece.mass, center_of_mass: placed(piece.pose, piece.center),
-                               velocity: motion.velocity, angular_velocity: motion.spin };
+        recorder.body(number, piece.mass, placed(piece.pose, piece.center), motion.velocity, motion.spin);
       }
-      poses[piece.name] = piece.pose;
+      recorder.pose(number, piece.pose.position, piece.pose.quat_wxyz);
     }
-    const pairs = pairsOf(engine, asked.frame, world.step());
-    write({ frame: asked.frame, time: asked.time, poses, pairs, solver: { bodies } });
-  });
+    for (const manifold of world.step())
+      if (isWhole(engine, asked.frame, manifold))
+        recorder.manifold(numbers.get(manifold.a), numbers.get(manifold.b), manifold.normal, manifold.points.map(
+          ({ on_a: onA, on_b: onB, impulse, ...point }) => ({ ...point, onA, onB, impulse: impulse?.normal, friction: impulse?.friction })));
+  }));
+  recorder.stop();
 }
 
 /** An impulse on b, split along a normal from a to b. */

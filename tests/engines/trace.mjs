@@ -79,9 +79,9 @@ export function leftOut(name, why) {
 /** What stands on the standard input. */
 export const requestLines = () => readFileSync(0, "utf8").split("\n").filter((line) => line.trim() !== "");
 
-/** Writes a line on the standard output, whole: a pipe takes a piece at a time. */
-export function write(value) {
-  let rest = Buffer.from(JSON.stringify(value) + "\n");
+/** Writes a text on the standard output, whole: a pipe takes a piece at a time. */
+export function write(text) {
+  let rest = Buffer.from(text);
   while (rest.length > 0) {
     try {
       rest = rest.subarray(writeSync(1, rest));
@@ -91,15 +91,18 @@ export function write(value) {
   }
 }
 
+/** Whether a manifold can be written: it has points and a unit normal. */
+export function isWhole(engine, frame, { a, b, normal, points }) {
+  if (points.length === 0) return false;
+  if (Math.abs(dot(normal, normal) - 1) < 1e-3) return true;
+  leftOut(`${a}-${b}`, `${engine} has no normal of it in frame ${frame}`);
+  return false;
+}
+
 /** Manifolds {a, b, ...} as the pairs of a frame. */
-export function pairsOf(engine, frame, manifolds) {
+function pairsOf(engine, frame, manifolds) {
   const pairs = [];
-  for (const { a, b, ...manifold } of manifolds) {
-    if (manifold.points.length === 0) continue;
-    if (!(Math.abs(dot(manifold.normal, manifold.normal) - 1) < 1e-3)) {
-      leftOut(`${a}-${b}`, `${engine} has no normal of it in frame ${frame}`);
-      continue;
-    }
+  for (const { a, b, ...manifold } of manifolds.filter((one) => isWhole(engine, frame, one))) {
     let pair = pairs.find((p) => p.a === a && p.b === b);
     if (pair === undefined) pairs.push((pair = { a, b, manifolds: [] }));
     pair.manifolds.push(manifold);
@@ -114,7 +117,8 @@ export function pairsOf(engine, frame, manifolds) {
 export async function answer(engine, version, contacts) {
   const lines = requestLines();
   const header = JSON.parse(lines[0]);
-  write({ ...header, engine, version });
+  const send = (value) => write(JSON.stringify(value) + "\n");
+  send({ ...header, engine, version });
   const shapes = { ...header.shapes };
   for (const line of lines.slice(1)) {
     const frame = JSON.parse(line);
@@ -122,7 +126,7 @@ export async function answer(engine, version, contacts) {
     const asked = frame.pairs.map(({ a, b }) => [a, b]);
     const manifolds = await contacts(frame, shapes, asked);
     const pairs = pairsOf(engine, frame.frame, manifolds);
-    write({ frame: frame.frame, time: frame.time, poses: frame.poses, pairs });
+    send({ frame: frame.frame, time: frame.time, poses: frame.poses, pairs });
   }
 }
 

@@ -16,7 +16,8 @@ for file in usr/bin/contactscope usr/share/man/man1/contactscope.1 \
   usr/share/zsh/vendor-completions/_contactscope \
   usr/share/fish/vendor_completions.d/contactscope.fish usr/share/doc/contactscope/NOTICE \
   usr/share/contactscope/scenarios/hull/face_contact.toml \
-  usr/share/contactscope/contactscope.py usr/share/contactscope/findings.schema.json usr/share/contactscope/trace.schema.json; do
+  usr/share/contactscope/contactscope.py usr/share/contactscope/contactscope.mjs \
+  usr/share/contactscope/findings.schema.json usr/share/contactscope/trace.schema.json; do
   has "$program" "$file"
 done
 for file in libcontactscope.a contactscopeConfig.cmake pkgconfig/contactscope.pc \

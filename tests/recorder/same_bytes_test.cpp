@@ -1,56 +1,65 @@
-// The same calls of the recorders in C and in Python give the same file.
+// The same calls of the recorders in C, Python and JavaScript give the same file.
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
+#include <cctype>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "recorder/contactscope.h"
+#include "scripts.h"
 #include "support/random_geometry.h"
-#include "trace/json.h"
 
 namespace contactscope {
 namespace {
 
-/// A number as Python reads it.
-std::string py(double value) {
-  if (std::isnan(value)) return "float('nan')";
-  if (std::isinf(value)) return value > 0 ? "float('inf')" : "-float('inf')";
+/// A value as Python and as JavaScript read it.
+struct Value {
+  std::string py, js;
+};
+
+Value both(const std::string& text) { return {text, text}; }
+Value value(double number) {
+  if (std::isnan(number)) return {"float('nan')", "NaN"};
+  if (std::isinf(number))
+    return number > 0 ? Value{"float('inf')", "Infinity"} : Value{"-float('inf')", "-Infinity"};
   char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return both(text);
+}
+Value value(int number) { return both(std::to_string(number)); }
+Value value(bool is) { return is ? Value{"True", "true"} : Value{"False", "false"}; }
+Value value(const char* text) {
+  if (text == nullptr) return {"None", "null"};
+  return both(nlohmann::json(text).dump(-1, ' ', true));
+}
+Value value(const Value& text) { return text; }
+/// A tuple, and a vector of an engine.
+Value value(const Vec3d& v) {
+  const Value x = value(v.x()), y = value(v.y()), z = value(v.z());
+  return {"(" + x.py + "," + y.py + "," + z.py + ")",
+          "{x:" + x.js + ",y:" + y.js + ",z:" + z.js + "}"};
+}
+template <class Items> Value list(const Items& items) {
+  Value text = both("[");
+  for (const auto& item : items) {
+    const Value one = value(item);
+    text.py += one.py + ",";
+    text.js += one.js + ",";
+  }
+  return {text.py + "]", text.js + "]"};
+}
+
+/// "begin_frame" as "beginFrame".
+std::string camel_case(std::string_view name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    text += name[i] == '_' ? static_cast<char>(std::toupper(name[++i])) : name[i];
   return text;
 }
-std::string py(int value) { return std::to_string(value); }
-std::string py(bool value) { return value ? "True" : "False"; }
-std::string py(const char* text) {
-  return text == nullptr ? "None" : nlohmann::json(text).dump(-1, ' ', true);
-}
-std::string py(const Vec3d& v);
-template <class List> std::string py_list(const List& values) {
-  std::string text = "[";
-  for (const auto& value : values) text += py(value) + ",";
-  return text + "]";
-}
-std::string py(const Vec3d& v) { return py_list(v); }
-template <class... Values> std::string call(const std::string& name, const Values&... values) {
-  std::string text = "r." + name + "(";
-  ((text += (text.back() == '(' ? "" : ", ") + py(values)), ...);
-  return text + ")\n";
-}
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A random recording: calls of the C functions, and a Python script of the same calls.
-class TwoRecordings {
+/// A random recording: calls of the C functions, and scripts of the same calls.
+class SameRecordings {
  public:
-  TwoRecordings(std::uint64_t seed, const std::filesystem::path& folder) : random_(seed) {
+  SameRecordings(std::uint64_t seed, const std::filesystem::path& folder) : random_(seed) {
     cs_settings settings{};
     settings.doubles = random_.chance(0.7);
     settings.z_up = random_.chance(0.5);
@@ -61,20 +70,37 @@ class TwoRecordings {
     const std::string name = std::to_string(seed);
     r_ = cs_start((folder / (name + ".c")).c_str(), "mine/stack", "My \"engine\"", nullptr,
                   &settings);
-    script_ = "r = Recorder(" + py((folder / (name + ".py")).c_str()) +
-              ", 'mine/stack', 'My \"engine\"', doubles=" + py(settings.doubles == 1) +
-              ", z_up=" + py(settings.z_up == 1) + ", poses_at=" + py(moments[settings.poses_at]) +
-              ", force_step=" + py(settings.force_step) +
-              ", friction_on_a=" + py(settings.friction_on_a == 1) + ")\n";
+    const Value doubles = value(settings.doubles == 1), z_up = value(settings.z_up == 1),
+                poses_at = value(moments[settings.poses_at]),
+                force_step = value(settings.force_step),
+                friction_on_a = value(settings.friction_on_a == 1);
+    script_.py = "r = Recorder('" + name +
+                 ".py', 'mine/stack', 'My \"engine\"', doubles=" + doubles.py +
+                 ", z_up=" + z_up.py + ", poses_at=" + poses_at.py +
+                 ", force_step=" + force_step.py + ", friction_on_a=" + friction_on_a.py + ")\n";
+    script_.js = "r = new Recorder('" + name + ".mjs', 'mine/stack', {engine: 'My \"engine\"', " +
+                 "doubles: " + doubles.js + ", zUp: " + z_up.js + ", posesAt: " + poses_at.js +
+                 ", forceStep: " + force_step.js + ", frictionOnA: " + friction_on_a.js + "});\n";
     for (int i = 0; i < 6; ++i) add_shape();
     for (int frame = 0; frame < 4; ++frame) record_frame(frame);
     cs_stop(r_);
-    script_ += "r.stop()\n";
+    call("stop");
   }
 
-  const std::string& script() const { return script_; }
+  const Value& script() const { return script_; }
 
  private:
+  /// Adds a call to the scripts.
+  template <class... Arguments> void call(const char* name, const Arguments&... arguments) {
+    Value line{std::string("r.") + name + "(", "r." + camel_case(name) + "("};
+    for (const Value& one : std::vector<Value>{value(arguments)...}) {
+      line.py += one.py + ",";
+      line.js += one.js + ",";
+    }
+    script_.py += line.py + ")\n";
+    script_.js += line.js + ");\n";
+  }
+
   /// A number of any size, sometimes round, zero or not a number.
   double number() {
     const double sign = random_.chance(0.5) ? 1 : -1;
@@ -109,55 +135,55 @@ class TwoRecordings {
     switch (random_.index(9)) {
       case 0:
         cs_box(r_, name, one.x(), one.y(), one.z());
-        script_ += call("box", name, one.x(), one.y(), one.z());
+        call("box", name, one.x(), one.y(), one.z());
         break;
       case 1:
         cs_sphere(r_, name, size);
-        script_ += call("sphere", name, size);
+        call("sphere", name, size);
         break;
       case 2:
         cs_capsule(r_, name, one.data(), two.data(), size);
-        script_ += call("capsule", name, one, two, size);
+        call("capsule", name, one, two, size);
         break;
       case 3: {
         const std::vector<Vec3d> corners = {one, two, vector(), vector()};
         cs_hull(r_, name, corners[0].data(), 4);
-        script_ += "r.hull(" + py(name) + ", " + py_list(corners) + ")\n";
+        call("hull", name, list(corners));
         break;
       }
       case 4:
         cs_cylinder(r_, name, axis, size, other);
-        script_ += call("cylinder", name, axis, size, other);
+        call("cylinder", name, axis, size, other);
         break;
       case 5:
         cs_cone(r_, name, axis, size, other);
-        script_ += call("cone", name, axis, size, other);
+        call("cone", name, axis, size, other);
         break;
       case 6:
         cs_plane(r_, name, one.data(), size);
-        script_ += call("plane", name, one, size);
+        call("plane", name, one, size);
         break;
       case 7: {
         const std::array heights = {number(), number(), number(), number(), number(), number()};
         cs_height_field(r_, name, heights.data(), 3, 2, size);
-        script_ += "r.height_field(" + py(name) + ", [" + py_list(std::span(heights).first(3)) +
-                   "," + py_list(std::span(heights).last(3)) + "], " + py(size) + ")\n";
+        call("height_field", name,
+             list(std::array{list(std::span(heights).first(3)), list(std::span(heights).last(3))}),
+             size);
         break;
       }
       default:
         cs_compound(r_, name);
-        script_ += call("compound", name);
+        call("compound", name);
         if (shapes_ > 0) {
           const int part = random_.index(shapes_);
           const std::array<double, 4> turn = rotation();
           cs_part(r_, shapes_, part, one.data(), turn.data());
-          script_ += "r.part(" + py(shapes_) + ", " + py(part) + ", " + py(one) + ", " +
-                     py_list(turn) + ")\n";
+          call("part", shapes_, part, one, list(turn));
         }
     }
     if (random_.chance(0.3)) {
       cs_margin(r_, shapes_, size);
-      script_ += call("margin", shapes_, size);
+      call("margin", shapes_, size);
     }
     ++shapes_;
   }
@@ -165,14 +191,14 @@ class TwoRecordings {
   void record_frame(int frame) {
     const double time = frame / 60.0;
     cs_begin_frame(r_, time);
-    script_ += call("begin_frame", time);
+    call("begin_frame", time);
     if (random_.chance(0.5)) add_shape();
     for (int shape = 0; shape < shapes_; ++shape) {
       if (random_.chance(0.2)) continue;
       const Vec3d place = vector();
       const std::array<double, 4> turn = rotation();
       cs_pose(r_, shape, place.data(), turn.data());
-      script_ += "r.pose(" + py(shape) + ", " + py(place) + ", " + py_list(turn) + ")\n";
+      call("pose", shape, place, list(turn));
     }
     for (int i = 0; i < 5; ++i) record_manifold();
     for (int i = 0; i < 2; ++i) {
@@ -180,16 +206,16 @@ class TwoRecordings {
       const double mass = number();
       const Vec3d center = vector(), velocity = vector(), spin = vector();
       cs_body(r_, shape, mass, center.data(), velocity.data(), spin.data());
-      script_ += call("body", shape, mass, center, velocity, spin);
+      call("body", shape, mass, center, velocity, spin);
     }
     if (random_.chance(0.5)) {
       const int iterations = random_.index(50), substeps = random_.index(5);
       const bool warm = random_.chance(0.5);
       cs_solver(r_, iterations, substeps, warm);
-      script_ += call("solver", iterations, substeps, warm);
+      call("solver", iterations, substeps, warm);
     }
     cs_end_frame(r_);
-    script_ += call("end_frame");
+    call("end_frame");
   }
 
   void record_manifold() {
@@ -197,7 +223,7 @@ class TwoRecordings {
     const int triangle = random_.chance(0.3) ? random_.index(100) : -1;
     const Vec3d normal = random_.unit_vector();
     std::vector<cs_point> points;
-    std::string list;
+    std::vector<Value> scripted;
     for (int i = random_.index(4); i >= 0; --i) {
       cs_point point{};
       const Vec3d place = random_.vector(-9, 9), on_a = vector(), on_b = vector(),
@@ -214,93 +240,46 @@ class TwoRecordings {
       point.idle = random_.chance(0.2);
       point.id = random_.chance(0.5) ? ~std::uint64_t{0} : std::uint64_t(random_.index(1000));
       points.push_back(point);
-      list += "Point(" + py(place) + ", " + py(point.separation);
-      if (point.has_sides) list += ", on_a=" + py(on_a) + ", on_b=" + py(on_b);
-      if (point.has_impulse)
-        list += ", impulse=" + py(point.impulse) + ", friction=" + py(friction);
-      if (point.has_id) list += ", id=" + std::to_string(point.id);
-      list += ", idle=" + py(point.idle == 1) + "),";
+      Value text{"Point(", "{"};
+      const auto set = [&](const char* key, const Value& is) {
+        text.py += std::string(key) + "=" + is.py + ",";
+        text.js += camel_case(key) + ":" + is.js + ",";
+      };
+      set("position", value(place));
+      set("separation", value(point.separation));
+      if (point.has_sides) set("on_a", value(on_a)), set("on_b", value(on_b));
+      if (point.has_impulse) set("impulse", value(point.impulse)), set("friction", value(friction));
+      const std::string id = std::to_string(point.id);
+      if (point.has_id) set("id", {id, point.id > 1000 ? id + "n" : id});
+      set("idle", value(point.idle == 1));
+      scripted.push_back({text.py + ")", text.js + "}"});
     }
     cs_manifold(r_, a, b, normal.data(), triangle, points.data(), static_cast<int>(points.size()));
-    script_ += "r.manifold(" + py(a) + ", " + py(b) + ", " + py(normal) + ", [" + list + "], " +
-               py(triangle) + ")\n";
+    call("manifold", a, b, normal, list(scripted), triangle);
   }
 
   test::Random random_;
   cs_recorder* r_ = nullptr;
-  std::string script_;
+  Value script_;
   int shapes_ = 0;
 };
 
-class PythonRecorder : public ::testing::Test {
- protected:
-  PythonRecorder() {
-    if (std::system("python3 -c 'import dataclasses' 2> /dev/null") != 0) return;
-    std::filesystem::create_directories(folder_);
-    has_python_ = true;
-  }
-  ~PythonRecorder() override { std::filesystem::remove_all(folder_); }
-
-  /// Runs a script; what it writes.
-  std::string output_of(const std::string& script) const {
-    const std::filesystem::path file = folder_ / "script.py", said = folder_ / "said";
-    std::ofstream(file) << "import sys\nsys.path.insert(0, "
-                        << py(CONTACTSCOPE_SOURCE_DIR "/src/recorder")
-                        << ")\nfrom contactscope import Point, Recorder\n"
-                        << script;
-    const std::string command = "python3 -B " + file.string() + " > " + said.string() + " 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << text_of(said);
-    return text_of(said);
-  }
-
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("python_recorder_" + std::to_string(::getpid()));
-  bool has_python_ = false;
-};
-
-TEST_F(PythonRecorder, WritesTheSameBytesAsTheOneInC) {
-  if (!has_python_) GTEST_SKIP() << "python3 is not installed";
+TEST_P(Scripts, WriteTheSameBytesAsC) {
   constexpr std::uint64_t kSeeds = 12;
-  std::string script;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
-    script += TwoRecordings(seed, folder_).script();
+  std::string script = is_python() ? "" : "let r;\n";
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const SameRecordings recordings(seed, folder_.path());
+    script += is_python() ? recordings.script().py : recordings.script().js;
+  }
   EXPECT_EQ(output_of(script), "");
   std::size_t bytes = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const std::string in_c = text_of(folder_ / (std::to_string(seed) + ".c"));
-    ASSERT_EQ(text_of(folder_ / (std::to_string(seed) + ".py")), in_c) << "seed " << seed;
+    const std::string in_c = read_text(folder_ / (std::to_string(seed) + ".c"));
+    ASSERT_EQ(read_text(folder_ / (std::to_string(seed) + GetParam().ending)), in_c)
+        << "seed " << seed;
     bytes += in_c.size();
   }
   EXPECT_GT(bytes, 50000u);
-}
-
-TEST_F(PythonRecorder, SaysWhatIsWrong) {
-  if (!has_python_) GTEST_SKIP() << "python3 is not installed";
-  const std::pair<const char*, const char*> cases[] = {
-      {"r.pose(ball, (0, 0, 0))", "no frame has begun; call begin_frame(time) first"},
-      {"r.begin_frame(0); r.pose(7, (0, 0, 0))", "there is no shape 7; pass the number"},
-      {"r.begin_frame(0); r.pose(ball, (0, 0))", "position has 2 numbers, not 3"},
-      {"r.begin_frame(0); r.manifold(ball, ball, (0, 1, 0), [])", "a manifold is of two shapes"},
-      {"r.begin_frame(0); r.manifold(ball, other, (0, 1, 0), [Point((0, 0, 0), 0, on_a=(0, 0, "
-       "0))])",
-       "on_a and on_b, or none"},
-      {"r.mesh('m', [(0, 0, 0)], [(0, 1, 2)])", "not three indices of its 1 vertices"},
-      {"r.cone('c', 3, 1, 1)", "axis 3 is not 0, 1 or 2"},
-      {"Recorder('x.jsonl', 'a/b', poses_at='later')", "write 'contacts', 'before_step'"}};
-  std::string script;
-  for (const auto& [wrong, message] : cases)
-    script +=
-        std::string("try:\n  with Recorder(") + py((folder_ / "py.jsonl").c_str()) +
-        ", 'mine/stack') as r:\n    ball, other = r.sphere('ball', 1), r.sphere('other', 1)\n    " +
-        wrong + "\nexcept ValueError as error:\n  print(error)\n";
-  std::istringstream said(output_of(script));
-  for (const auto& [wrong, message] : cases) {
-    std::string line;
-    std::getline(said, line);
-    EXPECT_NE(line.find(message), std::string::npos) << wrong << ": " << line;
-  }
-  std::istringstream in(text_of(folder_ / "py.jsonl"));  // what was recorded before is whole
-  EXPECT_EQ(trace::read_trace(in, "run.jsonl").header.shapes.size(), 2u);
 }
 
 }  // namespace
