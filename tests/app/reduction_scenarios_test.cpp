@@ -61,7 +61,6 @@ std::size_t changed_ids(const std::vector<trace::Reduction>& frames) {
 TEST(ReductionScenarios, GoodAndBadPointsDifferInArea) {
   const auto all = reductions("good_and_bad_points");
   EXPECT_GT(share(all.at("area: the talk's steps").at(0)), 0.999);
-  EXPECT_NEAR(share(all.at("mjx: from the first on").at(0)), 0.86, 0.01);
   EXPECT_NEAR(share(all.at("first: in the order of clipping").at(0)), 0.32, 0.01);
 }
 

@@ -217,7 +217,7 @@ struct DifferencePen {
       const double least = std::min(angle_at(first, along), angle_at(first + along, -along));
       sketch.label(tip + (2 * first + along - 2 * tip) / 3,
                    printed("sliver: %.0f°", least * 180 / std::numbers::pi), kContact, 16, 6);
-      sketch.explain(kSliverSwatch, "sliver, if these were left");
+      sketch.explain(kSliverSwatch, "sliver that would stay without cleanup");
     }
     for (const int corner : corners) sketch.mark(MarkKind::Core, at(points, corner), kPolytope);
     sketch.explain(kPolytopeSwatch, "polytope",

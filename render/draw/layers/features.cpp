@@ -54,13 +54,15 @@ std::string words_of(const Scene& scene, std::string_view kind) {
 }
 
 // In the colour of the incident face, to which the features belong.
-void draw_feature(const TouchingFeature& feature, const std::string& words, Sketch& sketch) {
+void draw_feature(const TouchingFeature& feature, const std::string& words, bool has_contact,
+                  Sketch& sketch) {
   const auto& [placed, kind, direction] = feature;
   const PlacedShape& shape = *placed;
   if (kind == "point") {
     const auto corner = std::ranges::max_element(
         shape.vertices, {}, [&](const Vec3d& vertex) { return feature.direction.dot(vertex); });
     sketch.mark(MarkKind::WideRing, *corner, kIncidentFace);
+    if (!has_contact) sketch.mark(MarkKind::Dot, *corner, kIncidentFace);
   } else if (kind == "edge") {
     const auto edge = farthest_edge(shape, direction);
     if (!edge) return;
@@ -189,7 +191,7 @@ void draw_features(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
     if (manifold.axis == "edge_edge" || manifold.type == "edge-edge")
       draw_crossed_edges(scene, pair, manifold, sketch);
     else if (const auto feature = feature_on_face(scene, pair, manifold))
-      draw_feature(*feature, words_of(scene, feature->kind), sketch);
+      draw_feature(*feature, words_of(scene, feature->kind), scene.shows(Layer::Contacts), sketch);
   }
 }
 
