@@ -10,6 +10,11 @@ namespace {
 constexpr Swatch kTouchingFeatureSwatch{LegendGroup::Faces, 6,
                                         [](auto& pen) { pen.level_line(0, 22, 5, kIncidentFace); }};
 
+constexpr Swatch kVerticesSwatch{LegendGroup::Faces, 5,
+                                 [](auto& pen) { pen.dot(0, 5, kIncidentFace); }};
+constexpr Swatch kFacesSwatch{LegendGroup::Faces, 8,
+                              [](auto& pen) { pen.area(kIncidentFace, 0.22f, 0); }};
+
 /// The edge with both ends farthest along `direction`.
 std::optional<std::array<Vec3d, 2>> farthest_edge(const PlacedShape& shape,
                                                   const Vec3d& direction) {
@@ -195,8 +200,29 @@ void draw_features(const Scene& scene, const trace::Pair& pair, Sketch& sketch) 
   }
 }
 
+// Gregorius 2015, "Collision Shapes: Convex Hull": what hulls in no pair store.
+void draw_stored_features(const Scene& scene, Sketch& sketch) {
+  for (const PlacedShape& shape : scene.shapes) {
+    const std::string& name = shape.traced().name;
+    const bool is_paired = std::ranges::any_of(scene.frame.pairs, [&](const trace::Pair& pair) {
+      return pair.a == name || pair.b == name;
+    });
+    if (is_paired || shape.is_mesh() || shape.traced().faces.empty()) continue;
+    const int faces = count_of(shape.traced().faces);
+    for (int face = 0; face < faces; ++face)
+      sketch.surfaces.push_back({shape.polygon(face), with_alpha(kIncidentFace, 0.22f)});
+    for (const ShapeMesh::Edge& edge : shape.mesh->edges)
+      sketch.line(shape.vertex(edge.from), shape.vertex(edge.to),
+                  {5, kIncidentFace, false, LineStyle::Hidden::Faint});
+    for (const Vec3d& vertex : shape.vertices) sketch.mark(MarkKind::Dot, vertex, kIncidentFace);
+    sketch.explain(kVerticesSwatch, counted(shape.vertices.size(), "vertex", "vertices"));
+    sketch.explain(kTouchingFeatureSwatch, counted(shape.mesh->edges.size(), "edge", "edges"));
+    sketch.explain(kFacesSwatch, counted(std::size_t(faces), "face", "faces"));
+  }
+}
+
 }  // namespace
 
-const LayerDrawing kFeaturesLayer{.search = draw_features};
+const LayerDrawing kFeaturesLayer{.search = draw_features, .above = draw_stored_features};
 
 }  // namespace contactscope::draw
