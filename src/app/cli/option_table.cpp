@@ -53,8 +53,7 @@ std::string default_of(const Target& to) {
   return text.str();
 }
 
-}  // namespace
-
+/// All options, in the order of the help.
 const std::vector<Option>& option_table() {
   constexpr auto kInputs = &Options::scenarios;
   const std::string drawing = "render explore";
@@ -277,6 +276,8 @@ const std::vector<Option>& option_table() {
   };
   return table;
 }
+
+}  // namespace
 
 std::vector<const Option*> options_of(const std::string& verb) {
   std::vector<const Option*> found;
