@@ -1,7 +1,6 @@
 #pragma once
 
 #include "snapshot/changes.h"
-#include "snapshot/spelling.h"
 #include "snapshot/stage.h"
 #include "trace/pair.h"
 

@@ -28,9 +28,6 @@ struct ImpactMotion {
 /// a point within 2 m of A's centre; both also drift together.
 ImpactCase random_impact_case(std::mt19937_64& engine, int vertices, const ImpactMotion& motion);
 
-/// Separation at a time, metres, negative in overlap; less than the distance of vertices or edges.
-double separation_at(const ImpactCase& of, double time);
-
 struct FoundImpact {
   bool hit = false;
   double time = 1;  // fraction of the step
