@@ -4,7 +4,6 @@
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
 #include "draw/viewports.h"
-#include "trace/trace.h"
 #include "view/title.h"
 #include "view/view.h"
 

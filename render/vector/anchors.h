@@ -2,7 +2,6 @@
 
 #include "draw/scene/drawing.h"
 #include "draw/staging.h"
-#include "trace/trace.h"
 
 namespace contactscope::vector {
 

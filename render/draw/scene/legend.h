@@ -4,7 +4,6 @@
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
-#include "trace/trace.h"
 
 /// Legend of a picture: the meaning of each sign.
 namespace contactscope::draw {

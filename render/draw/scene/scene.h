@@ -1,7 +1,5 @@
 #pragma once
 
-#include <unordered_map>
-
 #include "draw/scene/camera.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/sketch.h"

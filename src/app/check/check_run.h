@@ -4,10 +4,7 @@
 #include <iosfwd>
 
 #include "app/cli/catalogue.h"
-#include "app/cli/verbs.h"
 #include "draw/staging.h"
-#include "snapshot/finding.h"
-#include "trace/trace.h"
 
 namespace contactscope::app {
 

@@ -7,7 +7,6 @@
 #include "image/image.h"
 #include "scenario/scenario.h"
 #include "trace/json.h"
-#include "versus/comparison.h"
 #include "versus/rollout.h"
 
 /// Engines of `versus` and the results of their programs.
