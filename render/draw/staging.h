@@ -5,7 +5,6 @@
 #include "draw/layers/layer.h"
 #include "draw/viewports.h"
 #include "view/title.h"
-#include "view/view.h"
 
 namespace contactscope::draw {
 

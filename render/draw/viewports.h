@@ -1,6 +1,5 @@
 #pragma once
 
-#include "draw/scene/layout.h"
 #include "draw/scene/scene.h"
 
 /// Comparisons: each pair in its own viewport, side by side, with the same parallel projection and

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "draw/panels/panel.h"
-#include "draw/scene/drawing.h"
 
 struct ImGuiContext;
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "image/image.h"
 #include "snapshot/compare_trace.h"
 #include "snapshot/frame_hashes.h"
 #include "snapshot/store.h"

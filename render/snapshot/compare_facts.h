@@ -2,7 +2,6 @@
 
 #include "snapshot/changes.h"
 #include "snapshot/stage.h"
-#include "trace/pair.h"
 
 /// Compares any two facts through their lists of fields.
 namespace contactscope::snapshot {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "snapshot/check.h"
-#include "snapshot/finding.h"
 
 namespace contactscope::snapshot {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
 #include "draw/staging.h"
 
 namespace contactscope::vector {

@@ -4,8 +4,6 @@
 
 #include <toml++/toml.h>
 
-#include "core/input_error.h"
-#include "core/vec3.h"
 #include "scenario/keys.h"
 #include "scenario/scenario.h"
 

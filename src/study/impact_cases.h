@@ -3,7 +3,6 @@
 #include <random>
 
 #include "continuous/motion_bounds.h"
-#include "geometry/hull.h"
 #include "study/study.h"
 
 namespace contactscope {

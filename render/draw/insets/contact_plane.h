@@ -2,7 +2,6 @@
 
 #include "draw/scene/camera.h"
 #include "draw/scene/legend.h"
-#include "view/view.h"
 
 /// The contact plane along its normal, used in panels, in views of that kind and in explore.
 namespace contactscope::draw {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/vec3.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"

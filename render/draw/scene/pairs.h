@@ -1,6 +1,5 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
 #include "draw/scene/scene.h"
 #include "trace/find.h"
 

@@ -9,10 +9,7 @@
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "scenario/run.h"
-#include "snapshot/compare_trace.h"
 #include "snapshot/report_folder.h"
-#include "snapshot/spelling.h"
-#include "snapshot/store.h"
 #include "viewer/viewer.h"
 
 namespace contactscope::app {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
 
 #include "app/cli/catalogue.h"
 #include "draw/staging.h"

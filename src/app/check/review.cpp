@@ -11,12 +11,8 @@
 
 #include "app/check/reports/report.h"
 #include "app/cli/progress.h"
-#include "core/input_error.h"
 #include "core/key_table.h"
-#include "snapshot/changes.h"
 #include "snapshot/report_folder.h"
-#include "snapshot/store.h"
-#include "snapshot/verdict.h"
 
 namespace contactscope::app {
 namespace {

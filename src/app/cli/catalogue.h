@@ -3,7 +3,6 @@
 #include "app/cli/sequence.h"
 #include "app/cli/verbs.h"
 #include "scenario/scenario.h"
-#include "snapshot/finding.h"
 
 namespace contactscope::app {
 

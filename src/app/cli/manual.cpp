@@ -1,7 +1,6 @@
 #include <sstream>
 
 #include "app/cli/verbs.h"
-#include "core/spell.h"
 #include "scenario/keys.h"
 #include "scenario/scenario.h"
 #include "trace/reference.h"

@@ -3,7 +3,6 @@
 #include "app/cli/options.h"
 #include "app/render/formats/format.h"
 #include "core/key_table.h"
-#include "draw/scene/theme.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
 

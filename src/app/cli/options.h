@@ -6,7 +6,6 @@
 #include "draw/scene/layout.h"
 #include "gl/context.h"
 #include "snapshot/verdict.h"
-#include "view/layers.h"
 
 namespace contactscope::app {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <unordered_map>
 #include "trace/read_trace.h"
 
 namespace contactscope::app {

@@ -1,15 +1,10 @@
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/trace_file.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "draw/charts/rollout_page.h"
-#include "draw/scene/quantity.h"
-#include "snapshot/compare_facts.h"
 #include "snapshot/compare_runs.h"
-#include "snapshot/finding.h"
 #include "trace/find.h"
 
 namespace contactscope::app {

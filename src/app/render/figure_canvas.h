@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/cli/catalogue.h"
-#include "draw/scene/layout.h"
 #include "draw/staging.h"
 #include "image/png.h"
 

@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <future>
-#include <thread>
 
 #include "app/cli/progress.h"
 #include "app/cli/sequence.h"

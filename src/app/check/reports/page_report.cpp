@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/reports/report.h"
-#include "image/encoding.h"
 #include "snapshot/store.h"
 #include "vector/svg.h"
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "app/cli/verbs.h"
-#include "snapshot/finding.h"
 
 /// Report formats of `check`. They read only the Outcome and the folder of its candidates.
 namespace contactscope::app {

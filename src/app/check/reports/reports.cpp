@@ -2,7 +2,6 @@
 
 #include "app/check/reports/report.h"
 #include "app/render/figure_canvas.h"
-#include "snapshot/changes.h"
 #include "snapshot/report_folder.h"
 
 namespace contactscope::app {

@@ -2,7 +2,6 @@
 #include <iostream>
 
 #include "app/check/reports/report.h"
-#include "core/spell.h"
 
 namespace contactscope::app {
 namespace {

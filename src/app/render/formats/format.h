@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/cli/sequence.h"
-#include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "image/png.h"
 
