@@ -4,9 +4,7 @@
 #include "draw/insets/inset.h"
 #include "draw/layers/layer.h"
 #include "draw/viewports.h"
-#include "trace/trace.h"
 #include "view/title.h"
-#include "view/view.h"
 
 namespace contactscope::draw {
 

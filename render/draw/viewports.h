@@ -1,9 +1,6 @@
 #pragma once
 
-#include "draw/scene/camera.h"
-#include "draw/scene/layout.h"
 #include "draw/scene/scene.h"
-#include "trace/trace.h"
 
 /// Comparisons: each pair in its own viewport, side by side, with the same parallel projection and
 /// direction, so that only real differences are visible.

@@ -1,7 +1,5 @@
 #include "gl/primitive_vertices.h"
 
-#include <cassert>
-
 namespace contactscope::gl {
 namespace {
 

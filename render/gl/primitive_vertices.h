@@ -3,7 +3,6 @@
 #include <compare>
 
 #include "draw/scene/drawing.h"
-#include "image/font.h"
 
 namespace contactscope::gl {
 

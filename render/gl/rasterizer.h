@@ -1,6 +1,5 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
 #include "gl/context.h"
 #include "gl/primitive_vertices.h"
 #include "image/image.h"
@@ -18,8 +17,7 @@ class Rasterizer {
  public:
   Rasterizer(Context& context, int width, int height);
   ~Rasterizer();
-  Rasterizer(const Rasterizer&) = delete;
-  Rasterizer& operator=(const Rasterizer&) = delete;
+  Rasterizer& operator=(Rasterizer&&) = delete;
 
   /// Clears to the drawing's background and paints its primitives in order, with as few draw calls
   /// as the glyph atlas allows.

@@ -1,16 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "image/compare.h"
 #include "image/encoding.h"
-#include "image/image.h"
 
 /// PNG pictures, and the parts that APNG files share with them. PNG specification, third edition,
 /// W3C 2025.

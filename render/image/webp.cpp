@@ -4,7 +4,6 @@
 #include <webp/mux.h>
 #include <algorithm>
 #include <cassert>
-#include <cstddef>
 #include <cstring>
 
 namespace contactscope {
@@ -39,8 +38,7 @@ class Picture {
     }
   }
   ~Picture() { WebPPictureFree(&picture_); }
-  Picture(const Picture&) = delete;
-  Picture& operator=(const Picture&) = delete;
+  Picture& operator=(Picture&&) = delete;
 
   WebPPicture* get() { return &picture_; }
 

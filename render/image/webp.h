@@ -1,10 +1,7 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
-#include <string>
 
-#include "image/image.h"
 #include "image/png.h"
 
 namespace contactscope {

@@ -2,9 +2,7 @@
 
 #include <imgui.h>
 
-#include "draw/scene/camera.h"
 #include "draw/scene/pairs.h"
-#include "draw/scene/palette.h"
 
 namespace contactscope::overlay {
 namespace {

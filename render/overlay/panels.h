@@ -1,9 +1,6 @@
 #pragma once
 
 #include "draw/panels/panel.h"
-#include "draw/scene/drawing.h"
-#include "draw/staging.h"
-#include "trace/trace.h"
 
 struct ImGuiContext;
 
@@ -21,8 +18,7 @@ class Windows {
   /// White, without borders, on a canvas of this size. `scale` multiplies padding; 1: 720 lines.
   Windows(int width, int height, float scale);
   ~Windows();
-  Windows(const Windows&) = delete;
-  Windows& operator=(const Windows&) = delete;
+  Windows& operator=(Windows&&) = delete;
 
   /// Makes this ImGui context current and starts a frame of 1/60 s.
   void begin_frame();

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <concepts>
 #include <filesystem>
 
-#include "core/vec3.h"
 #include "snapshot/finding.h"
 #include "snapshot/spelling.h"
-#include "trace/field.h"
 #include "trace/minkowski.h"
 
 namespace contactscope::snapshot {

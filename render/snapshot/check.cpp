@@ -174,8 +174,7 @@ CheckedTrace check_trace(const StoredScenario& archive, const trace::Trace& actu
   CheckedTrace checked;
   const fs::path own = trace_path(archive.root, archive.scenario);
   const auto finding = [&](FindingKind kind) -> Finding& {
-    checked.finding = found(kind, archive, own, archive.scenario, policy);
-    return *checked.finding;
+    return checked.finding.emplace(found(kind, archive, own, archive.scenario, policy));
   };
   try {
     if (const std::optional<std::string> stored =
@@ -213,8 +212,7 @@ CheckedFrames check_frames(const StoredScenario& archive, const FrameHashes& act
   CheckedFrames checked;
   const fs::path own = hashes_path(archive.root, archive.scenario);
   const auto finding = [&](FindingKind kind) -> Finding& {
-    checked.finding = found(kind, archive, own, archive.scenario, policy);
-    return *checked.finding;
+    return checked.finding.emplace(found(kind, archive, own, archive.scenario, policy));
   };
   const std::optional<std::string> text = read_text_file(own);
   try {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
-#include "image/image.h"
 #include "snapshot/compare_trace.h"
 #include "snapshot/frame_hashes.h"
 #include "snapshot/store.h"

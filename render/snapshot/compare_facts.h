@@ -1,9 +1,7 @@
 #pragma once
 
 #include "snapshot/changes.h"
-#include "snapshot/spelling.h"
 #include "snapshot/stage.h"
-#include "trace/pair.h"
 
 /// Compares any two facts through their lists of fields.
 namespace contactscope::snapshot {

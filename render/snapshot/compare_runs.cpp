@@ -1,7 +1,5 @@
 #include "snapshot/compare_runs.h"
 
-#include <cstdio>
-
 #include "trace/find.h"
 
 namespace contactscope::snapshot {

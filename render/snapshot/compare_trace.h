@@ -1,11 +1,7 @@
 #pragma once
 
 #include "snapshot/compare_facts.h"
-#include "snapshot/stage.h"
-#include "trace/decision.h"
 #include "trace/json.h"
-#include "trace/pair.h"
-#include "trace/trace.h"
 #include "view/view.h"
 
 namespace contactscope::snapshot {
@@ -58,22 +54,6 @@ struct FirstCause {
 /// sorted, header first, and not empty; `margins` belong to the actual frames.
 FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
                        const Margins& margins = {});
-
-/// A choice of the pipeline that differs from the stored trace.
-struct Flipped {
-  Stage stage = Stage::Decision;
-  std::string subject{};  // the pair, "crate-floor"
-  /// "the separating axis test now prefers face b: -19.98 mm against -20.01 mm of face a, a tie of 0.03 mm".
-  std::string sentence{};
-
-  /// True if the sentence already covers a difference of its pair.
-  bool says(const Difference& difference) const;
-};
-
-/// The first flipped choice of a pair: contact or not, axis, best face of a hull, incident face,
-/// points kept by a reducer. `margins` are those of `now`; without them the sentence has no margin.
-std::optional<Flipped> find_flipped(const trace::Pair& before, const trace::Pair& now,
-                                    const std::vector<trace::Decision>& margins);
 
 /// Limit of sentences per frame; "and N more" follows.
 inline constexpr int kMaxSentences = 8;

@@ -71,6 +71,20 @@ int count_points(const FrameDifferences& frame, const std::string& subject) {
   return pair == nullptr ? 0 : count_of(joined(pair->manifolds, &trace::Manifold::points));
 }
 
+/// A choice of the pipeline that differs from the stored trace.
+struct Flipped {
+  Stage stage = Stage::Decision;
+  std::string subject{};  // the pair, "crate-floor"
+  /// "the separating axis test now prefers face b: -19.98 mm against -20.01 mm of face a, a tie of 0.03 mm".
+  std::string sentence{};
+
+  /// True if the sentence already covers a difference of its pair.
+  bool says(const Difference& difference) const {
+    if (difference.stage != stage) return false;
+    return stage != Stage::Faces || difference.text.starts_with("incident");
+  }
+};
+
 /// Cause of the counted effects: a difference or a flipped choice.
 struct Origin {
   std::string subject;
@@ -124,72 +138,6 @@ std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
                           : counted(count, thing.one, thing.many));
   }
   return texts.empty() ? "" : listed(texts) + " changed";
-}
-
-/// The first flipped choice in a frame; of the pair of `first`, if that is a pair.
-std::optional<Flipped> flip_in(const FrameDifferences& frame, const Difference& first,
-                               const Margins& margins) {
-  std::optional<Flipped> earliest;
-  if (frame.actual == nullptr) return earliest;
-  const bool is_pair = find_pair(frame.actual, first.subject) != nullptr;
-  for (const trace::Pair& now : frame.actual->pairs) {
-    const std::string subject = key_of(now);
-    const trace::Pair* const before = find_pair(frame.expected, subject);
-    if (before == nullptr || (is_pair && subject != first.subject)) continue;
-    const auto own = margins.find({frame.frame, subject});
-    std::optional<Flipped> flip =
-        find_flipped(*before, now, own == margins.end() ? now.decisions : own->second);
-    if (flip && (!earliest || flip->stage < earliest->stage)) {
-      flip->subject = subject;
-      earliest = std::move(flip);
-    }
-  }
-  return earliest;
-}
-
-/// ": the separating axis test now prefers face b: ..., a tie of 0.03 mm; so 4 clip steps changed".
-/// A small move is reported with the choice that it flipped, in this frame or a later one.
-std::string spell_chain(const std::vector<FrameDifferences>& frames, const FrameDifferences& frame,
-                        const Difference& first, const Margins& margins) {
-  const FrameDifferences* at = &frame;
-  std::optional<Flipped> flip = flip_in(frame, first, margins);
-  if (flip && flip->stage <= first.stage) {
-    const std::string effects = spell_effects(frame, {first.subject, flip->stage, &first, &*flip});
-    return flip->sentence + (effects.empty() ? "" : "; so " + effects);
-  }
-  const bool is_of_frames = first.stage >= Stage::Words;
-  for (const FrameDifferences& one : frames) {
-    if (flip || is_of_frames) break;
-    if (one.frame < frame.frame) continue;
-    flip = flip_in(one, first, margins);
-    at = &one;
-  }
-  if (!flip) {
-    const std::string effects = spell_effects(frame, {first.subject, first.stage, &first});
-    return first.text + (effects.empty() ? "" : "; so " + effects);
-  }
-  std::string text = first.text + "; so ";
-  if (flip->subject != first.subject) text += "for " + flip->subject + " ";
-  if (at != &frame) text += "in frame " + std::to_string(at->frame) + " ";
-  text += flip->sentence;
-  const std::string effects = spell_effects(*at, {flip->subject, flip->stage, &first, &*flip});
-  return text + (effects.empty() ? "" : "; with it " + effects);
-}
-
-/// Names of stages and values, without numbers or shape names.
-std::string signature_of(const Difference& first) {
-  std::string text = std::to_string(static_cast<int>(first.stage));
-  std::set<std::string> words;
-  for (const Changes::What& what : first.what) words.insert(what.words);
-  for (const std::string& word : words) text += ", " + word;
-  if (first.what.empty()) text += ", " + first.text.substr(first.text.rfind(' ') + 1);
-  return text;
-}
-
-bool is_input(const Difference& first, const FrameDifferences& frame) {
-  if (first.stage == Stage::Setup) return true;
-  if (first.stage != Stage::Motion || frame.actual == nullptr) return false;
-  return frame.frame <= 0 || trace::find_body(*frame.actual, first.subject) == nullptr;
 }
 
 /// Two axes tie if their separations differ by less than this fraction of the larger one.
@@ -284,6 +232,107 @@ std::optional<Flipped> find_flipped_points(const trace::Reduction& before,
                      spell_list(before.kept) + to_spare(margin)};
 }
 
+/// The first flipped choice of a pair: contact or not, axis, best face of a hull, incident face,
+/// points kept by a reducer. `margins` are those of `now`; without them the sentence has no margin.
+std::optional<Flipped> find_flipped(const trace::Pair& before, const trace::Pair& now,
+                                    const std::vector<trace::Decision>& margins) {
+  if (before.state != now.state)
+    return Flipped{Stage::Axes, "",
+                   "the shapes are now " + now.state + " instead of " + before.state +
+                       to_spare(find_decision(margins, "contact"))};
+  if (before.sat && now.sat) {
+    if (before.sat->chosen != now.sat->chosen)
+      return Flipped{Stage::Decision, "",
+                     spell_chosen(*before.sat, *now.sat, find_decision(margins, "axis"))};
+    const std::string& chosen = now.sat->chosen;
+    for (const auto& [name, axis] :
+         {std::pair("face_a", &trace::Sat::face_a), std::pair("face_b", &trace::Sat::face_b)}) {
+      const auto& old_face = *before.sat.*axis;
+      const auto& new_face = *now.sat.*axis;
+      if (chosen != name || !old_face || !new_face || old_face->face == new_face->face) continue;
+      return Flipped{Stage::Axes, "",
+                     "the best " + spell_axis(name) + " is now " + face(new_face->face) +
+                         " instead of " + face(old_face->face) +
+                         to_spare(find_decision(margins, name))};
+    }
+  }
+  if (before.clip && now.clip && before.clip->reference.shape == now.clip->reference.shape &&
+      before.clip->incident.face != now.clip->incident.face)
+    return Flipped{Stage::Faces, "",
+                   "the incident face is now " + face(now.clip->incident.face) + " instead of " +
+                       face(before.clip->incident.face) +
+                       to_spare(find_decision(margins, "incident_face"))};
+  if (before.reduction && now.reduction)
+    return find_flipped_points(*before.reduction, *now.reduction, margins);
+  return {};
+}
+
+/// The first flipped choice in a frame; of the pair of `first`, if that is a pair.
+std::optional<Flipped> flip_in(const FrameDifferences& frame, const Difference& first,
+                               const Margins& margins) {
+  std::optional<Flipped> earliest;
+  if (frame.actual == nullptr) return earliest;
+  const bool is_pair = find_pair(frame.actual, first.subject) != nullptr;
+  for (const trace::Pair& now : frame.actual->pairs) {
+    const std::string subject = key_of(now);
+    const trace::Pair* const before = find_pair(frame.expected, subject);
+    if (before == nullptr || (is_pair && subject != first.subject)) continue;
+    const auto own = margins.find({frame.frame, subject});
+    std::optional<Flipped> flip =
+        find_flipped(*before, now, own == margins.end() ? now.decisions : own->second);
+    if (flip && (!earliest || flip->stage < earliest->stage)) {
+      flip->subject = subject;
+      earliest = std::move(flip);
+    }
+  }
+  return earliest;
+}
+
+/// ": the separating axis test now prefers face b: ..., a tie of 0.03 mm; so 4 clip steps changed".
+/// A small move is reported with the choice that it flipped, in this frame or a later one.
+std::string spell_chain(const std::vector<FrameDifferences>& frames, const FrameDifferences& frame,
+                        const Difference& first, const Margins& margins) {
+  const FrameDifferences* at = &frame;
+  std::optional<Flipped> flip = flip_in(frame, first, margins);
+  if (flip && flip->stage <= first.stage) {
+    const std::string effects = spell_effects(frame, {first.subject, flip->stage, &first, &*flip});
+    return flip->sentence + (effects.empty() ? "" : "; so " + effects);
+  }
+  const bool is_of_frames = first.stage >= Stage::Words;
+  for (const FrameDifferences& one : frames) {
+    if (flip || is_of_frames) break;
+    if (one.frame < frame.frame) continue;
+    flip = flip_in(one, first, margins);
+    at = &one;
+  }
+  if (!flip) {
+    const std::string effects = spell_effects(frame, {first.subject, first.stage, &first});
+    return first.text + (effects.empty() ? "" : "; so " + effects);
+  }
+  std::string text = first.text + "; so ";
+  if (flip->subject != first.subject) text += "for " + flip->subject + " ";
+  if (at != &frame) text += "in frame " + std::to_string(at->frame) + " ";
+  text += flip->sentence;
+  const std::string effects = spell_effects(*at, {flip->subject, flip->stage, &first, &*flip});
+  return text + (effects.empty() ? "" : "; with it " + effects);
+}
+
+/// Names of stages and values, without numbers or shape names.
+std::string signature_of(const Difference& first) {
+  std::string text = std::to_string(static_cast<int>(first.stage));
+  std::set<std::string> words;
+  for (const Changes::What& what : first.what) words.insert(what.words);
+  for (const std::string& word : words) text += ", " + word;
+  if (first.what.empty()) text += ", " + first.text.substr(first.text.rfind(' ') + 1);
+  return text;
+}
+
+bool is_input(const Difference& first, const FrameDifferences& frame) {
+  if (first.stage == Stage::Setup) return true;
+  if (first.stage != Stage::Motion || frame.actual == nullptr) return false;
+  return frame.frame <= 0 || trace::find_body(*frame.actual, first.subject) == nullptr;
+}
+
 }  // namespace
 
 FirstCause first_cause(const std::string& scenario, const std::vector<FrameDifferences>& frames,
@@ -320,44 +369,6 @@ FirstCause first_cause(const std::string& scenario, const std::vector<FrameDiffe
   cause.signature = signature_of(*first);
   cause.is_input = is_input(*first, *frame);
   return cause;
-}
-
-bool Flipped::says(const Difference& difference) const {
-  if (difference.stage != stage) return false;
-  return stage != Stage::Faces || difference.text.starts_with("incident");
-}
-
-std::optional<Flipped> find_flipped(const trace::Pair& before, const trace::Pair& now,
-                                    const std::vector<trace::Decision>& margins) {
-  if (before.state != now.state)
-    return Flipped{Stage::Axes, "",
-                   "the shapes are now " + now.state + " instead of " + before.state +
-                       to_spare(find_decision(margins, "contact"))};
-  if (before.sat && now.sat) {
-    if (before.sat->chosen != now.sat->chosen)
-      return Flipped{Stage::Decision, "",
-                     spell_chosen(*before.sat, *now.sat, find_decision(margins, "axis"))};
-    const std::string& chosen = now.sat->chosen;
-    for (const auto& [name, axis] :
-         {std::pair("face_a", &trace::Sat::face_a), std::pair("face_b", &trace::Sat::face_b)}) {
-      const auto& old_face = *before.sat.*axis;
-      const auto& new_face = *now.sat.*axis;
-      if (chosen != name || !old_face || !new_face || old_face->face == new_face->face) continue;
-      return Flipped{Stage::Axes, "",
-                     "the best " + spell_axis(name) + " is now " + face(new_face->face) +
-                         " instead of " + face(old_face->face) +
-                         to_spare(find_decision(margins, name))};
-    }
-  }
-  if (before.clip && now.clip && before.clip->reference.shape == now.clip->reference.shape &&
-      before.clip->incident.face != now.clip->incident.face)
-    return Flipped{Stage::Faces, "",
-                   "the incident face is now " + face(now.clip->incident.face) + " instead of " +
-                       face(before.clip->incident.face) +
-                       to_spare(find_decision(margins, "incident_face"))};
-  if (before.reduction && now.reduction)
-    return find_flipped_points(*before.reduction, *now.reduction, margins);
-  return {};
 }
 
 }  // namespace contactscope::snapshot

@@ -1,7 +1,5 @@
 #include "snapshot/report_folder.h"
 
-#include <unistd.h>
-
 #include "core/input_error.h"
 #include "image/png.h"
 #include "trace/listed_json.h"

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <filesystem>
-
-#include "image/image.h"
 #include "snapshot/check.h"
-#include "snapshot/finding.h"
 
 namespace contactscope::snapshot {
 
@@ -22,8 +18,7 @@ class ReportFolder {
   /// `name` is the folder in `out`; each shard has its own.
   explicit ReportFolder(const std::filesystem::path& out, const std::string& name = "check");
   ~ReportFolder();
-  ReportFolder(const ReportFolder&) = delete;
-  ReportFolder& operator=(const ReportFolder&) = delete;
+  ReportFolder& operator=(ReportFolder&&) = delete;
 
   /// Each stores the files of a failing finding and sets their paths in it. `actual` is the run's.
   void add_picture(Finding& finding, const CheckedPicture& checked, const Image& actual);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <concepts>
-
 #include "trace/trace.h"
 
 namespace contactscope::snapshot {

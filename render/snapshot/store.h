@@ -94,8 +94,7 @@ class FolderLock {
   ~FolderLock() {
     if (file_ >= 0) ::close(file_);
   }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
+  FolderLock& operator=(FolderLock&&) = delete;
 
  private:
   int file_;

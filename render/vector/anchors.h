@@ -1,8 +1,6 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
 #include "draw/staging.h"
-#include "trace/trace.h"
 
 namespace contactscope::vector {
 

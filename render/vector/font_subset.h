@@ -4,7 +4,6 @@
 #include <mutex>
 
 #include "draw/scene/drawing.h"
-#include "image/font.h"
 
 namespace contactscope::vector {
 

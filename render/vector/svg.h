@@ -1,6 +1,5 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
 #include "image/png.h"
 #include "vector/font_subset.h"
 

@@ -8,7 +8,6 @@
 
 #include "app/cli/progress.h"
 #include "app/render/figure_canvas.h"
-#include "core/input_error.h"
 
 namespace contactscope::app {
 namespace {

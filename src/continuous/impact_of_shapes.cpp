@@ -2,7 +2,6 @@
 
 #include "continuous/approach.h"
 #include "continuous/impact_with_mesh.h"
-#include "continuous/motion_bounds.h"
 #include "field/distance_field.h"
 
 namespace contactscope {
@@ -38,8 +37,7 @@ template <class S> class DoubleCore {
       }
     }
   }
-  DoubleCore(const DoubleCore&) = delete;
-  DoubleCore& operator=(const DoubleCore&) = delete;
+  DoubleCore& operator=(DoubleCore&&) = delete;
 
   const MovingShape<double>& moving() const { return moving_; }
 

@@ -5,7 +5,6 @@
 #include "manifold/incremental.h"
 #include "query/mesh_query_cost.h"
 #include "scenario/scenario.h"
-#include "trace/trace.h"
 
 /// Meshes and pairs that are run, with their settings and state.
 namespace contactscope {

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "continuous/motion_bounds.h"
 #include "dynamics/continuous_step.h"
 #include "scenario/scenario.h"
-#include "trace/impact.h"
-#include "trace/trace.h"
 
 /// Handles shapes that meet between two frames: `continuous` of a scenario.
 ///

@@ -1,5 +1,4 @@
 #include "core/spell.h"
-#include "manifold/pair_query.h"
 #include "scenario/readers.h"
 #include "scenario/run.h"
 #include "trace/find.h"

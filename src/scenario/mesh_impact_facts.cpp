@@ -1,6 +1,5 @@
 #include "continuous/impact_with_mesh.h"
 #include "scenario/between_frames.h"
-#include "scenario/deform.h"
 
 namespace contactscope {
 namespace {

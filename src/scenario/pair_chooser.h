@@ -2,7 +2,6 @@
 
 #include "broadphase/broad_phase.h"
 #include "scenario/scenario.h"
-#include "trace/trace.h"
 
 namespace contactscope {
 

@@ -1,6 +1,4 @@
 #include "broadphase/broad_phase.h"
-#include "manifold/dispatch.h"
-#include "reduce/reducer.h"
 #include "scenario/readers.h"
 
 namespace contactscope::scenario_file {

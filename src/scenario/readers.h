@@ -4,8 +4,6 @@
 
 #include <toml++/toml.h>
 
-#include "core/input_error.h"
-#include "core/vec3.h"
 #include "scenario/keys.h"
 #include "scenario/scenario.h"
 
@@ -19,7 +17,7 @@ namespace contactscope::scenario_file {
 using Keys = std::vector<std::string_view>;
 
 /// One value of the file. `name` appears in messages: "half_extents" or "vertices[3]". Its type and
-/// limits are those of its key (keys.cpp). Refers to the document and the file's name.
+/// limits are those of its key (keys.h). Refers to the document and the file's name.
 class Value {
  public:
   Value(const std::string& file, const toml::node& node, std::string name, const Key* key = nullptr)

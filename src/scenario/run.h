@@ -1,7 +1,6 @@
 #pragma once
 
 #include "scenario/scenario.h"
-#include "trace/trace.h"
 
 namespace contactscope {
 

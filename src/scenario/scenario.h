@@ -1,9 +1,7 @@
 #pragma once
 
 #include "continuous/impact_of_shapes.h"
-#include "core/pose.h"
 #include "dynamics/solver_settings.h"
-#include "manifold/collide_options.h"
 #include "manifold/pair_query.h"
 #include "scenario/deform.h"
 #include "view/view.h"

@@ -4,7 +4,11 @@
 
 #include "core/spell.h"
 
-namespace contactscope::scenario_file {
+namespace contactscope {
+
+std::string_view scenario_reference();  // scenarios/README.md
+
+namespace scenario_file {
 namespace {
 
 /// One line of limited length: a file may have megabytes of text, and control characters that would
@@ -290,6 +294,15 @@ std::vector<Value> Value::members() const {
   return mapped(found, [](const auto& member) { return member.second; });
 }
 
+const std::vector<KeyTable>& key_tables() {
+  static const std::vector<KeyTable> tables = parse_key_tables(scenario_reference());
+  return tables;
+}
+
+const KeyTable& key_table(std::string_view name) {
+  return *std::ranges::find(key_tables(), name, &KeyTable::name);
+}
+
 toml::table parse_document(const std::string& text, const std::string& file) {
   try {
     return toml::parse(std::string_view(text), std::string_view(file));
@@ -305,4 +318,5 @@ toml::table parse_document(const std::string& text, const std::string& file) {
   }
 }
 
-}  // namespace contactscope::scenario_file
+}  // namespace scenario_file
+}  // namespace contactscope

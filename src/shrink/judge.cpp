@@ -2,7 +2,6 @@
 
 #include <cctype>
 
-#include "core/input_error.h"
 #include "find/finder.h"
 #include "scenario/run.h"
 #include "versus/comparison.h"

@@ -1,6 +1,5 @@
 #include "study/exploration.h"
 
-#include "core/workers.h"
 #include "scenario/run.h"
 #include "trace/find.h"
 

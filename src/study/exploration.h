@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/manifold.h"
 #include "reduce/polygon_area.h"
-#include "reduce/reducer.h"
 #include "scenario/scenario.h"
 #include "study/study.h"
 #include "trace/exploration.h"

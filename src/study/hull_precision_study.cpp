@@ -1,5 +1,4 @@
 #include "manifold/collide_pairs.h"
-#include "query/sat.h"
 #include "study/random_cases.h"
 #include "study/study.h"
 

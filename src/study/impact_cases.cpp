@@ -32,6 +32,11 @@ OracleAxis axis_at(const ImpactCase& of, const Hull<double>& a, const Hull<doubl
   return axis;
 }
 
+/// Separation at a time, metres, negative in overlap; less than the distance of vertices or edges.
+double separation_at(const ImpactCase& of, double time) {
+  return axis_at(of, hull_cast<double>(of.a), hull_cast<double>(of.b), time).separation;
+}
+
 double fastest_turn(const Hull<double>& hull, const Sweep<float>& motion) {
   double reach = 0;
   for (const Vec3d& vertex : hull.vertices)
@@ -129,10 +134,6 @@ ImpactCase random_impact_case(std::mt19937_64& engine, int vertices, const Impac
   made.of_b = of_b.cast<float>();
   made.touches = first_touch(made);
   return made;
-}
-
-double separation_at(const ImpactCase& of, double time) {
-  return axis_at(of, hull_cast<double>(of.a), hull_cast<double>(of.b), time).separation;
 }
 
 double ImpactTally::error_of(double part) const {

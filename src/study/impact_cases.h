@@ -3,7 +3,6 @@
 #include <random>
 
 #include "continuous/motion_bounds.h"
-#include "geometry/hull.h"
 #include "study/study.h"
 
 namespace contactscope {
@@ -27,9 +26,6 @@ struct ImpactMotion {
 /// Hulls of `vertices` on ellipsoids with semi-axes of 0.5 to 1 m. B starts separated, on a path to
 /// a point within 2 m of A's centre; both also drift together.
 ImpactCase random_impact_case(std::mt19937_64& engine, int vertices, const ImpactMotion& motion);
-
-/// Separation at a time, metres, negative in overlap; less than the distance of vertices or edges.
-double separation_at(const ImpactCase& of, double time);
 
 struct FoundImpact {
   bool hit = false;

@@ -64,6 +64,53 @@ Quatd rotation_on_top(const PairKind& kind, const Stacking& stacking, bool on_a_
   return on_a_corner ? any : turn(Vec3d::UnitY(), yaw);
 }
 
+// From query/tolerance.h, preference_tolerance: shares of the depth and the smaller hull's radius.
+constexpr double kPreferredDepth = 0.05;
+constexpr double kPreferredRadius = 0.002;
+
+/// The deepest point of a contact, with its manifold's normal.
+struct Deepest {
+  double separation = std::numeric_limits<double>::infinity();
+  Vec3d normal = Vec3d::Zero();
+  int triangle = -1;
+  bool finite = true;
+
+  bool found() const { return separation < std::numeric_limits<double>::infinity(); }
+};
+
+template <class S> Deepest deepest_of(const Manifolds<S>& manifolds) {
+  Deepest deepest;
+  for (const Manifold<S>& manifold : manifolds) {
+    deepest.finite = deepest.finite && manifold.normal.allFinite();
+    for (const ContactPoint<S>& point : manifold.points) {
+      deepest.finite =
+          deepest.finite && point.position.allFinite() && std::isfinite(point.separation);
+      if (static_cast<double>(point.separation) >= deepest.separation) continue;
+      deepest.separation = static_cast<double>(point.separation);
+      deepest.normal = manifold.normal.template cast<double>();
+      deepest.triangle = manifold.triangle;
+    }
+  }
+  return deepest;
+}
+
+template <class S> Deepest collided(const RoundedPair<S>& pair, Preference preference) {
+  CollideOptions options;
+  options.preference = preference;
+  options.mesh_manifolds =
+      MeshManifolds::Triangle;  // the oracle measures along one triangle's axes
+  Manifolds<S> manifolds;
+  collide(pair.a, pair.pose_a, pair.b, pair.pose_b, options, manifolds);
+  return deepest_of(manifolds);
+}
+
+ContactFault presence_fault(const Deepest& deepest, double separation, double rounding) {
+  if (!deepest.finite) return ContactFault::NotFinite;
+  if (!deepest.found() && separation < -rounding) return ContactFault::Missing;
+  if (deepest.found() && separation > rounding) return ContactFault::Phantom;
+  return ContactFault::None;
+}
+
 }  // namespace
 
 std::string to_string(const PairKind& kind) {
@@ -115,57 +162,6 @@ StackedPair stacked_pair(const PairKind& kind, const Stacking& stacking, int ind
   pair.motion.position = uniform_rotation(engine) * Vec3d(stacking.distance * stacking.size, 0, 0);
   return pair;
 }
-
-namespace {
-
-// From query/tolerance.h, preference_tolerance: shares of the depth and the smaller hull's radius.
-constexpr double kPreferredDepth = 0.05;
-constexpr double kPreferredRadius = 0.002;
-
-/// The deepest point of a contact, with its manifold's normal.
-struct Deepest {
-  double separation = std::numeric_limits<double>::infinity();
-  Vec3d normal = Vec3d::Zero();
-  int triangle = -1;
-  bool finite = true;
-
-  bool found() const { return separation < std::numeric_limits<double>::infinity(); }
-};
-
-template <class S> Deepest deepest_of(const Manifolds<S>& manifolds) {
-  Deepest deepest;
-  for (const Manifold<S>& manifold : manifolds) {
-    deepest.finite = deepest.finite && manifold.normal.allFinite();
-    for (const ContactPoint<S>& point : manifold.points) {
-      deepest.finite =
-          deepest.finite && point.position.allFinite() && std::isfinite(point.separation);
-      if (static_cast<double>(point.separation) >= deepest.separation) continue;
-      deepest.separation = static_cast<double>(point.separation);
-      deepest.normal = manifold.normal.template cast<double>();
-      deepest.triangle = manifold.triangle;
-    }
-  }
-  return deepest;
-}
-
-template <class S> Deepest collided(const RoundedPair<S>& pair, Preference preference) {
-  CollideOptions options;
-  options.preference = preference;
-  options.mesh_manifolds =
-      MeshManifolds::Triangle;  // the oracle measures along one triangle's axes
-  Manifolds<S> manifolds;
-  collide(pair.a, pair.pose_a, pair.b, pair.pose_b, options, manifolds);
-  return deepest_of(manifolds);
-}
-
-ContactFault presence_fault(const Deepest& deepest, double separation, double rounding) {
-  if (!deepest.finite) return ContactFault::NotFinite;
-  if (!deepest.found() && separation < -rounding) return ContactFault::Missing;
-  if (deepest.found() && separation > rounding) return ContactFault::Phantom;
-  return ContactFault::None;
-}
-
-}  // namespace
 
 template <class S>
 RoundedPair<S>::RoundedPair(const StackedPair& pair)

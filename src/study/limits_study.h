@@ -2,7 +2,6 @@
 
 #include <random>
 
-#include "core/pose.h"
 #include "geometry/shape.h"
 
 namespace contactscope {

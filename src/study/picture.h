@@ -79,8 +79,7 @@ class Picture {
 
   /// All but the result.
   Picture(const PictureRow& of, const trace::Study& study);
-  Picture(const Picture&) = delete;
-  Picture& operator=(const Picture&) = delete;
+  Picture& operator=(Picture&&) = delete;
 
   /// The measured point that the title mentions, in the first panel of the row.
   const trace::StudyPoint& point(const std::string& method) const;

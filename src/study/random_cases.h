@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/random.h"
-#include "geometry/mesh.h"
 #include "manifold/pair_cache.h"
 #include "study/separation_oracle.h"
 

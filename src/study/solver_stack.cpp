@@ -176,29 +176,6 @@ class StandingStack {
   double most_energy_ = 0;  // joules; a higher energy is an error
 };
 
-}  // namespace
-
-StackPlan stack_plan(std::mt19937_64& engine, int count, double ratio) {
-  constexpr double kAside = 0.02 * 2 * kHalf;
-  StackPlan plan;
-  for (int i = 0; i < count; ++i) {
-    StackPlan::Box box;
-    box.x = uniform(engine, -kAside, kAside);
-    box.z = uniform(engine, -kAside, kAside);
-    box.turn = uniform(engine, -0.1, 0.1);
-    plan.boxes.push_back(box);
-  }
-  plan.boxes.back().mass = ratio;
-  return plan;
-}
-
-StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames,
-                       std::optional<int> max_points, bool contacts_alone) {
-  return StandingStack(plan, settings, max_points, contacts_alone).run(frames);
-}
-
-namespace {
-
 constexpr double kStep = 1.0 / 60;
 
 /// A body of a scene; of mass 0: it does not move.
@@ -279,6 +256,25 @@ EnergyScene bullet(const char* name, double restitution, ImpactMethod method) {
 }
 
 }  // namespace
+
+StackPlan stack_plan(std::mt19937_64& engine, int count, double ratio) {
+  constexpr double kAside = 0.02 * 2 * kHalf;
+  StackPlan plan;
+  for (int i = 0; i < count; ++i) {
+    StackPlan::Box box;
+    box.x = uniform(engine, -kAside, kAside);
+    box.z = uniform(engine, -kAside, kAside);
+    box.turn = uniform(engine, -0.1, 0.1);
+    plan.boxes.push_back(box);
+  }
+  plan.boxes.back().mass = ratio;
+  return plan;
+}
+
+StackOutcome run_stack(const StackPlan& plan, SolverSettings settings, int frames,
+                       std::optional<int> max_points, bool contacts_alone) {
+  return StandingStack(plan, settings, max_points, contacts_alone).run(frames);
+}
 
 std::vector<EnergyScene> energy_scenes() {
   const Vec3d brick(0.5, 0.3, 0.2), half(0.5, 0.5, 0.5);

@@ -3,7 +3,6 @@
 #include <random>
 
 #include "dynamics/solver.h"
-#include "dynamics/solver_settings.h"
 #include "trace/study.h"
 
 namespace contactscope {

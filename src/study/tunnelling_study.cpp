@@ -31,8 +31,7 @@ struct Flight {
   int steps = 1;        // until it is certainly beyond the wall
 
   Flight(BulletKind kind, double speed, double millimetres, std::mt19937_64& engine);
-  Flight(const Flight&) = delete;
-  Flight& operator=(const Flight&) = delete;
+  Flight& operator=(Flight&&) = delete;
 
   Sweep<float> step(int i) const {
     Sweep<float> now = motion;

@@ -8,13 +8,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
 
 #include "core/convex_polygon.h"
-#include "lint/solid.h"
 
 namespace contactscope::versus {
 namespace {
@@ -37,8 +35,7 @@ class MemoryFile {
     }
     lseek(number_, 0, SEEK_SET);
   }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
+  MemoryFile& operator=(MemoryFile&&) = delete;
   ~MemoryFile() { close(number_); }
 
   int get() const { return number_; }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/standard.h"
 #include "draw/scene/drawing.h"
 
 namespace contactscope::draw {

@@ -1,6 +1,5 @@
 #include "draw/charts/series_chart.h"
 
-#include <unordered_map>
 #include <unordered_set>
 #include "draw/scene/pairs.h"
 

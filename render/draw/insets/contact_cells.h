@@ -2,7 +2,6 @@
 
 #include "draw/charts/series_chart.h"
 #include "draw/insets/contact_plane.h"
-#include "draw/scene/layout.h"
 #include "trace/exploration.h"
 
 namespace contactscope::draw {

@@ -1,12 +1,7 @@
 #pragma once
 
-#include "core/convex_polygon.h"
-#include "core/vec3.h"
 #include "draw/scene/camera.h"
 #include "draw/scene/legend.h"
-#include "draw/scene/pen.h"
-#include "trace/trace.h"
-#include "view/view.h"
 
 /// The contact plane along its normal, used in panels, in views of that kind and in explore.
 namespace contactscope::draw {

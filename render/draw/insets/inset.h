@@ -1,6 +1,5 @@
 #pragma once
 
-#include "draw/scene/layout.h"
 #include "draw/scene/scene.h"
 
 /// A second viewport next to the shapes, with its own space: the Minkowski difference, or the

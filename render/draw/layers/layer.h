@@ -1,7 +1,6 @@
 #pragma once
 
 #include "draw/scene/scene.h"
-#include "view/layers.h"
 
 namespace contactscope::draw {
 

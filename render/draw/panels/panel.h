@@ -1,6 +1,5 @@
 #pragma once
 
-#include "draw/scene/pen.h"
 #include "draw/staging.h"
 
 /// Panels next to a picture: rows of text, charts and maps, made from the trace alone and laid out

@@ -1,5 +1,4 @@
 #include "draw/panels/panel.h"
-#include "draw/scene/layout.h"
 
 namespace contactscope::draw {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/convex_polygon.h"
-#include "core/vec3.h"
 #include "draw/scene/drawing.h"
 
 namespace contactscope::draw {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "draw/scene/scene.h"
-#include "trace/trace.h"
-#include "view/view.h"
 
 /// Clipping in steps: frame 0 shows the two faces, frame k what the k-th side plane cuts away, and
 /// the frame after the last plane the points that are kept. Gregorius 2015, "Hull vs Hull: Face

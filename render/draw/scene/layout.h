@@ -1,8 +1,6 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
 #include "draw/scene/theme.h"
-#include "image/font.h"
 #include "trace/trace.h"
 #include "view/view.h"
 #include "view/words.h"

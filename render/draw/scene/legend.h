@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/vec3.h"
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 #include "draw/scene/pen.h"
-#include "trace/trace.h"
 
 /// Legend of a picture: the meaning of each sign.
 namespace contactscope::draw {

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "core/pose.h"
-#include "core/vec3.h"
-#include "draw/scene/camera.h"
 #include "draw/scene/sketch.h"
-#include "trace/pair.h"
 
 /// Convex polygons on the screen and their visible parts.
 namespace contactscope::draw {

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
-#include "draw/scene/quantity.h"
 #include "draw/scene/scene.h"
 #include "trace/find.h"
-#include "trace/trace.h"
 
 /// Look-ups in the pairs of a trace: points, the surfaces at a point, and one pair through the
 /// frames of a sequence. A pair is identified by its bodies and its label.

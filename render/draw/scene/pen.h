@@ -2,7 +2,6 @@
 
 #include "core/convex_polygon.h"
 #include "draw/scene/drawing.h"
-#include "image/font.h"
 
 namespace contactscope::draw {
 

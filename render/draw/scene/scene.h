@@ -1,12 +1,7 @@
 #pragma once
 
-#include <unordered_map>
-
-#include "draw/scene/camera.h"
 #include "draw/scene/quantity.h"
 #include "draw/scene/sketch.h"
-#include "trace/trace.h"
-#include "view/view.h"
 
 namespace contactscope::draw {
 

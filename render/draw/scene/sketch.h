@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
-
-#include "core/vec3.h"
 #include "draw/scene/legend.h"
 #include "draw/scene/visibility.h"
 

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "core/pose.h"
-#include "core/vec3.h"
 #include "draw/scene/camera.h"
 
 /// Visibility: painting order of surfaces, hidden parts of lines, and the visible part of round

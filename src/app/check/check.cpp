@@ -5,7 +5,6 @@
 #include "app/check/check_run.h"
 #include "app/check/reports/report.h"
 #include "app/cli/progress.h"
-#include "gl/context.h"
 #include "vector/svg.h"
 
 namespace contactscope::app {

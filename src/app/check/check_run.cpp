@@ -8,13 +8,8 @@
 #include "app/cli/faults.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
-#include "core/input_error.h"
 #include "scenario/run.h"
-#include "snapshot/compare_trace.h"
 #include "snapshot/report_folder.h"
-#include "snapshot/spelling.h"
-#include "snapshot/store.h"
-#include "view/title.h"
 #include "viewer/viewer.h"
 
 namespace contactscope::app {

@@ -1,13 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
 
 #include "app/cli/catalogue.h"
-#include "app/cli/verbs.h"
 #include "draw/staging.h"
-#include "snapshot/finding.h"
-#include "trace/trace.h"
 
 namespace contactscope::app {
 

@@ -1,10 +1,7 @@
-#include <Eigen/Core>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/faults.h"
-#include "app/cli/verbs.h"
-#include "image/font.h"
 
 namespace contactscope::app {
 namespace {

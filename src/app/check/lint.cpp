@@ -3,7 +3,6 @@
 
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"
-#include "app/cli/verbs.h"
 #include "core/key_table.h"
 #include "snapshot/store.h"
 

@@ -11,12 +11,8 @@
 
 #include "app/check/reports/report.h"
 #include "app/cli/progress.h"
-#include "core/input_error.h"
 #include "core/key_table.h"
-#include "snapshot/changes.h"
 #include "snapshot/report_folder.h"
-#include "snapshot/store.h"
-#include "snapshot/verdict.h"
 
 namespace contactscope::app {
 namespace {
@@ -50,8 +46,7 @@ class Keys {
     tcsetattr(STDIN_FILENO, TCSANOW, &raw);
   }
   ~Keys() { tcsetattr(STDIN_FILENO, TCSANOW, &before_); }
-  Keys(const Keys&) = delete;
-  Keys& operator=(const Keys&) = delete;
+  Keys& operator=(Keys&&) = delete;
 
   /// Also 'q' if the terminal is closed.
   char next() const {
@@ -184,6 +179,20 @@ bool accept_one(const Options& options, const snapshot::Outcome& outcome, Findin
   return true;
 }
 
+/// Accepts the findings of these names that fail, and saves and prints the result. Returns the number that is refused.
+int accept_all(const Options& options, snapshot::Outcome& outcome,
+               const std::vector<std::string>& names, const std::string& others = "") {
+  int refused = 0, accepted = 0;
+  for (Finding* finding : findings_named(outcome, names))
+    if (finding->fails()) ++(accept_one(options, outcome, *finding) ? accepted : refused);
+  snapshot::write_outcome(report_folder(options), outcome);
+  rewrite_page(report_folder(options), outcome, options);
+  if (!options.quiet)
+    std::cerr << counted(accepted, "finding") << " accepted, " << others << refused << " refused; "
+              << snapshot::summary(snapshot::tally(outcome)) << '\n';
+  return refused;
+}
+
 /// {"accept": [...], "reject": [...]}, as saved by report.html; "-" is standard input.
 std::map<std::string, std::vector<std::string>> read_decisions(const std::string& file) {
   const auto refuse = [&](const std::string& what) -> InputError {
@@ -215,23 +224,17 @@ ExitCode run_decisions(const Options& options, snapshot::Outcome& outcome) {
   std::map<std::string, std::vector<std::string>> decisions = read_decisions(options.from);
   // Validate all names before anything is stored.
   const std::vector<Finding*> rejected = findings_named(outcome, decisions["reject"]);
-  int refused = 0, accepted = 0, turned_down = 0;
   for (Finding* finding : findings_named(outcome, decisions["accept"])) {
     if (std::ranges::find(rejected, finding) != rejected.end())
       throw UsageError(finding->key() + " is both accepted and rejected");
   }
-  for (Finding* finding : findings_named(outcome, decisions["accept"]))
-    if (finding->fails()) ++(accept_one(options, outcome, *finding) ? accepted : refused);
+  int turned_down = 0;
   for (Finding* finding : rejected) {
     if (!finding->fails()) continue;
     finding->review = Review::Rejected;
     ++turned_down;
   }
-  snapshot::write_outcome(report_folder(options), outcome);
-  rewrite_page(report_folder(options), outcome, options);
-  if (!options.quiet)
-    std::cerr << counted(accepted, "finding") << " accepted, " << turned_down << " rejected, "
-              << refused << " refused; " << snapshot::summary(snapshot::tally(outcome)) << '\n';
+  accept_all(options, outcome, decisions["accept"], std::to_string(turned_down) + " rejected, ");
   return exit_code(outcome);
 }
 
@@ -288,15 +291,8 @@ ExitCode run_accept(const Options& options) {
         "--accept needs names: contactscope check --accept hull/face_contact/frame_0012, "
         "a folder such as hull, or '*' for all; contactscope review --list prints the findings");
   snapshot::Outcome outcome = snapshot::read_outcome(report_folder(options));
-  int refused = 0, accepted = 0;
-  for (Finding* finding : findings_named(outcome, options.scenarios))
-    if (finding->fails()) ++(accept_one(options, outcome, *finding) ? accepted : refused);
-  snapshot::write_outcome(report_folder(options), outcome);
-  rewrite_page(report_folder(options), outcome, options);
-  if (!options.quiet)
-    std::cerr << counted(accepted, "finding") << " accepted, " << refused << " refused; "
-              << snapshot::summary(snapshot::tally(outcome)) << '\n';
-  return refused == 0 ? ExitCode::Same : ExitCode::Different;
+  const bool is_done = accept_all(options, outcome, options.scenarios) == 0;
+  return is_done ? ExitCode::Same : ExitCode::Different;
 }
 
 Verb review_verb() {

@@ -1,5 +1,4 @@
 #include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <iostream>

@@ -3,12 +3,8 @@
 #include <filesystem>
 
 #include "app/cli/narrow.h"
-#include "app/cli/options.h"
-#include "core/input_error.h"
 #include "core/key_table.h"
-#include "core/spell.h"
 #include "draw/scene/pairs.h"
-#include "reduce/reducer.h"
 
 namespace contactscope::app {
 namespace {

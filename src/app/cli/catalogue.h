@@ -1,10 +1,8 @@
 #pragma once
 
 #include "app/cli/sequence.h"
-#include "app/cli/trace_file.h"
 #include "app/cli/verbs.h"
 #include "scenario/scenario.h"
-#include "snapshot/finding.h"
 
 namespace contactscope::app {
 

@@ -10,7 +10,6 @@
 #include "study/study.h"
 #include "vector/svg.h"
 #include "view/title.h"
-#include "view/words.h"
 
 namespace contactscope {
 

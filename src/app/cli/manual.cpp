@@ -1,7 +1,6 @@
 #include <sstream>
 
 #include "app/cli/verbs.h"
-#include "core/spell.h"
 #include "scenario/keys.h"
 #include "scenario/scenario.h"
 #include "trace/reference.h"
@@ -80,8 +79,6 @@ std::string values_of(const OptionValues& values, std::string before, const std:
   return lines;
 }
 
-}  // namespace
-
 std::string man_page(const std::string& version) {
   std::ostringstream out;
   out << ".TH CONTACTSCOPE 1 \"\" \"contactscope " << roff(version) << "\" \"User Commands\"\n"
@@ -99,9 +96,13 @@ std::string man_page(const std::string& version) {
   return out.str();
 }
 
+}  // namespace
+
 std::string manual(const std::string& what, const std::string& version) {
   if (what == "man") return man_page(version);
-  if (const std::string script = completion_script(what); !script.empty()) return script;
+  if (what == "bash") return std::string(bash_completion());
+  if (what == "zsh") return std::string(zsh_completion());
+  if (what == "fish") return std::string(fish_completion());
   throw UsageError("--manual '" + what + "' is not known; it is man, bash, zsh or fish");
 }
 
@@ -149,12 +150,6 @@ std::string completions(std::vector<std::string> words) {
     if (words.size() == 1) break;  // the verb is followed by its first argument
   }
   return lines;
-}
-
-std::string completion_script(const std::string& shell) {
-  if (shell == "bash") return std::string(bash_completion());
-  if (shell == "zsh") return std::string(zsh_completion());
-  return shell == "fish" ? std::string(fish_completion()) : "";
 }
 
 }  // namespace contactscope::app

@@ -3,7 +3,6 @@
 #include "app/cli/options.h"
 #include "app/render/formats/format.h"
 #include "core/key_table.h"
-#include "draw/scene/theme.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
 
@@ -53,8 +52,7 @@ std::string default_of(const Target& to) {
   return text.str();
 }
 
-}  // namespace
-
+/// All options, in the order of the help.
 const std::vector<Option>& option_table() {
   constexpr auto kInputs = &Options::scenarios;
   const std::string drawing = "render explore";
@@ -277,6 +275,8 @@ const std::vector<Option>& option_table() {
   };
   return table;
 }
+
+}  // namespace
 
 std::vector<const Option*> options_of(const std::string& verb) {
   std::vector<const Option*> found;

@@ -7,9 +7,7 @@
 
 #include "app/cli/catalogue.h"
 #include "core/key_table.h"
-#include "core/spell.h"
 #include "draw/scene/palette.h"
-#include "image/font.h"
 
 namespace contactscope::app {
 namespace {
@@ -74,6 +72,35 @@ std::vector<Word> parse_words(const std::string& option, const std::string& text
     if (name == "none") throw UsageError(option + " 'none' excludes all others; leave them out");
     return static_cast<Word>(word_in(option, name, {names.begin(), names.end()}));
   });
+}
+
+/// Checks options that depend on each other, sets `style` and opens the fonts. Throws UsageError,
+/// FontError.
+void finish_figure(FigureOptions& figure, bool has_size) {
+  if (figure.width && has_size)
+    throw UsageError("--width and --size both set the width; leave out one");
+  if (figure.height && !figure.width)
+    throw UsageError("--height needs --width; write both, or --size WxH");
+  const bool on_paper = figure.width && !figure.width->in_pixels;
+  if (on_paper && !figure.font_size) figure.font_size = FigureLength{kUsualType};
+
+  draw::FigureStyle& style = figure.style;
+  style.scale = figure.scale;
+  style.line_width = figure.line_width * (on_paper ? kPaperLines : 1);
+  style.title = !figure.bare && !figure.no_title;
+  style.legend = !figure.bare && !figure.no_legend;
+  style.footer = !figure.bare && !figure.no_footer;
+  if (figure.width) style.margin = kFigureMargin;
+  if (on_paper || (figure.font_size && !figure.font_size->in_pixels))
+    style.points_per_pixel = 72 / figure.dpi;
+  if (figure.font_size) style.type = draw::type_of_em(figure.font_size->pixels(figure.dpi));
+  style.theme = figure.theme;
+  style.background = figure.background;
+  check_ground(style);
+  if (figure.fonts.size() > 2)
+    throw UsageError("--font takes one file, or two with a comma between them: regular,bold");
+  if (!figure.fonts.empty())
+    add_font(figure.fonts[0], figure.fonts.size() > 1 ? figure.fonts[1] : std::string());
 }
 
 }  // namespace
@@ -202,33 +229,6 @@ draw::Color parse_background(const std::string& option, const std::string& text)
 draw::Theme parse_theme(const std::string& option, const std::string& text) {
   return static_cast<draw::Theme>(
       word_in(option, text, {draw::kThemeNames.begin(), draw::kThemeNames.end()}));
-}
-
-void finish_figure(FigureOptions& figure, bool has_size) {
-  if (figure.width && has_size)
-    throw UsageError("--width and --size both set the width; leave out one");
-  if (figure.height && !figure.width)
-    throw UsageError("--height needs --width; write both, or --size WxH");
-  const bool on_paper = figure.width && !figure.width->in_pixels;
-  if (on_paper && !figure.font_size) figure.font_size = FigureLength{kUsualType};
-
-  draw::FigureStyle& style = figure.style;
-  style.scale = figure.scale;
-  style.line_width = figure.line_width * (on_paper ? kPaperLines : 1);
-  style.title = !figure.bare && !figure.no_title;
-  style.legend = !figure.bare && !figure.no_legend;
-  style.footer = !figure.bare && !figure.no_footer;
-  if (figure.width) style.margin = kFigureMargin;
-  if (on_paper || (figure.font_size && !figure.font_size->in_pixels))
-    style.points_per_pixel = 72 / figure.dpi;
-  if (figure.font_size) style.type = draw::type_of_em(figure.font_size->pixels(figure.dpi));
-  style.theme = figure.theme;
-  style.background = figure.background;
-  check_ground(style);
-  if (figure.fonts.size() > 2)
-    throw UsageError("--font takes one file, or two with a comma between them: regular,bold");
-  if (!figure.fonts.empty())
-    add_font(figure.fonts[0], figure.fonts.size() > 1 ? figure.fonts[1] : std::string());
 }
 
 void MissingGlyphs::look(const draw::Drawing& drawing) {

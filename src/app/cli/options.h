@@ -3,11 +3,9 @@
 #include <charconv>
 #include <iosfwd>
 
-#include "draw/scene/drawing.h"
 #include "draw/scene/layout.h"
 #include "gl/context.h"
 #include "snapshot/verdict.h"
-#include "view/layers.h"
 
 namespace contactscope::app {
 
@@ -33,9 +31,6 @@ struct FigureOptions {
 
   draw::FigureStyle style{};  // of all these, without `words`, which also depend on the scenario
 };
-
-/// Checks options that depend on each other, sets `style` and opens the fonts. Throws UsageError, FontError.
-void finish_figure(FigureOptions& figure, bool has_size);
 
 /// Characters without a glyph in any font, over all drawings of a run.
 class MissingGlyphs {
@@ -206,9 +201,7 @@ struct Option {
   std::string description() const;
 };
 
-/// All options, in the order of the help.
-const std::vector<Option>& option_table();
-
+/// In the order of the help.
 std::vector<const Option*> options_of(const std::string& verb);
 
 /// Arguments of `list`.

@@ -13,8 +13,7 @@ class Progress {
  public:
   Progress(int total, bool quiet);
   ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  Progress& operator=(Progress&&) = delete;
 
   void advance(const std::string& what);
   /// Clears the bar before other output.
@@ -72,8 +71,7 @@ class Timed {
   Timed(RunLog& log, std::string stage)
       : log_(log), stage_(std::move(stage)), begin_(std::chrono::steady_clock::now()) {}
   ~Timed() { log_.add(stage_, std::chrono::steady_clock::now() - begin_); }
-  Timed(const Timed&) = delete;
-  Timed& operator=(const Timed&) = delete;
+  Timed& operator=(Timed&&) = delete;
 
  private:
   RunLog& log_;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/cli/trace_file.h"
-#include "trace/trace.h"
 
 namespace contactscope::app {
 

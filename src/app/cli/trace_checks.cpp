@@ -1,10 +1,8 @@
 #include "app/cli/trace_file.h"
 
-#include <concepts>
 #include <unordered_set>
 
 #include "app/cli/table.h"
-#include "core/pose.h"
 #include "geometry/hull_builder.h"
 #include "snapshot/store.h"
 #include "trace/reference.h"

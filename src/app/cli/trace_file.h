@@ -1,6 +1,5 @@
 #pragma once
 
-#include <unordered_map>
 #include "trace/read_trace.h"
 
 namespace contactscope::app {
@@ -58,8 +57,7 @@ class TraceFile {
   /// Reads from text; `name` is its name in messages.
   TraceFile(std::unique_ptr<std::istream> text, const std::string& name);
 
-  TraceFile(const TraceFile&) = delete;
-  TraceFile& operator=(const TraceFile&) = delete;
+  TraceFile& operator=(TraceFile&&) = delete;
 
   /// Name in messages.
   const std::string& name() const { return name_; }

@@ -39,14 +39,15 @@ const std::vector<Verb>& verbs() {
   return all;
 }
 
+namespace {
+
+/// "--help", and the options of a verb.
 std::vector<std::string> option_names(const Verb& verb) {
   std::vector<std::string> names = {"--help"};
   for (const Option* option : options_of(verb.name))
     if (!option->is_argument()) names.push_back(option->name());
   return names;
 }
-
-namespace {
 
 bool has_option(const Verb& verb, const std::string& option) {
   return option == "-h" || std::ranges::count(option_names(verb), option) > 0;

@@ -18,9 +18,6 @@ struct Verb {
 /// All verbs, in listing order.
 const std::vector<Verb>& verbs();
 
-/// "--help", and the options of a verb.
-std::vector<std::string> option_names(const Verb& verb);
-
 /// Rejects unknown verbs, options and words, values that are not the numbers of their option, and
 /// arguments that are missing or too many, with a suggestion. `arguments` are without the program's
 /// name. Throws UsageError.
@@ -28,19 +25,13 @@ void check_usage(const std::vector<std::string>& arguments);
 
 // The man page and shell completions, from the same table as the help; and the formats of files.
 
-/// roff, section 1.
-std::string man_page(const std::string& version);
-
-/// Script for "bash", "zsh" or "fish" that completes by `contactscope --complete WORD...`; empty for
-/// another word.
-std::string completion_script(const std::string& shell);
-
 /// Output of --complete: words that may stand in place of the last of `words`, which follow the
 /// program's name. One per line; a description follows a tab. ":files" and ":folders" stand for
 /// names that the shell completes itself, ":nospace" for no space after the word.
 std::string completions(std::vector<std::string> words);
 
-/// Output of `--manual WHAT`: "man", "bash", "zsh" or "fish". Throws UsageError.
+/// Output of `--manual WHAT`: the page for "man", in roff, section 1, or the script for "bash", "zsh"
+/// or "fish" that completes by `contactscope --complete WORD...`. Throws UsageError.
 std::string manual(const std::string& what, const std::string& version);
 
 /// All keys of a "scenario" or a "trace", from the tables of their readers; empty for another word.

@@ -1,28 +1,20 @@
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/trace_file.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "draw/charts/rollout_page.h"
-#include "draw/scene/quantity.h"
-#include "snapshot/compare_facts.h"
 #include "snapshot/compare_runs.h"
-#include "snapshot/finding.h"
 #include "trace/find.h"
 
 namespace contactscope::app {
 namespace {
 
-using snapshot::key_of;
 using snapshot::RunComparison;
-using snapshot::RunDistance;
-using snapshot::Stage;
 
 /// "up to 3 mm in frame 9, at crate"; empty if no shape moved.
 std::string farthest(const RunComparison& runs) {
-  const auto most = std::ranges::max_element(runs.distances, {}, &RunDistance::metres);
+  const auto most = std::ranges::max_element(runs.distances, {}, &snapshot::RunDistance::metres);
   if (most == runs.distances.end() || most->metres == 0) return {};
   return "up to " + snapshot::spell_length(most->metres) + " in frame " +
          std::to_string(most->frame) + ", at " + most->shape;

@@ -4,8 +4,6 @@
 
 #include "app/cli/faults.h"
 #include "app/cli/progress.h"
-#include "app/cli/trace_file.h"
-#include "core/input_error.h"
 #include "core/key_table.h"
 #include "scenario/run.h"
 #include "versus/request.h"

@@ -4,10 +4,7 @@
 #include <ostream>
 
 #include "app/cli/verbs.h"
-#include "image/image.h"
 #include "scenario/scenario.h"
-#include "trace/json.h"
-#include "versus/comparison.h"
 #include "versus/rollout.h"
 
 /// Engines of `versus` and the results of their programs.

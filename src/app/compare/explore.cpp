@@ -3,11 +3,8 @@
 #include "app/cli/table.h"
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
-#include "draw/insets/contact_cells.h"
-#include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "study/exploration.h"
-#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

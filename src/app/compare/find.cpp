@@ -3,11 +3,7 @@
 
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"
-#include "app/cli/progress.h"
 #include "app/cli/table.h"
-#include "app/cli/trace_file.h"
-#include "app/cli/verbs.h"
-#include "snapshot/finding.h"
 #include "trace/point_names.h"
 
 namespace contactscope::app {

@@ -3,10 +3,8 @@
 
 #include "app/cli/faults.h"
 #include "app/cli/table.h"
-#include "app/cli/trace_file.h"
 #include "app/compare/engine_runs.h"
 #include "app/render/renderer.h"
-#include "core/input_error.h"
 #include "dynamics/body.h"
 #include "scenario/run.h"
 #include "versus/request.h"

@@ -4,8 +4,6 @@
 #include "app/render/figure_canvas.h"
 #include "app/render/renderer.h"
 #include "draw/charts/rollout_page.h"
-#include "draw/scene/quantity.h"
-#include "snapshot/finding.h"
 #include "trace/find.h"
 
 namespace contactscope::app {

@@ -3,10 +3,7 @@
 #include <iostream>
 
 #include "app/cli/narrow.h"
-#include "app/cli/progress.h"
-#include "app/cli/trace_file.h"
 #include "app/compare/engine_runs.h"
-#include "core/spell.h"
 #include "snapshot/store.h"
 #include "versus/request.h"
 

@@ -4,13 +4,9 @@
 #include "app/cli/table.h"
 #include "app/compare/engine_runs.h"
 #include "app/render/renderer.h"
-#include "draw/insets/contact_cells.h"
-#include "draw/scene/quantity.h"
-#include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "trace/find.h"
 #include "versus/request.h"
-#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

@@ -1,15 +1,12 @@
 #include "app/render/figure_canvas.h"
 
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 
 #include "app/cli/narrow.h"
 #include "draw/panels/panel.h"
-#include "image/encoding.h"
 #include "image/whole_file.h"
 #include "scenario/words_file.h"
-#include "view/title.h"
 
 namespace contactscope::app {
 namespace {

@@ -1,14 +1,8 @@
 #pragma once
 
 #include "app/cli/catalogue.h"
-#include "app/cli/verbs.h"
-#include "draw/scene/drawing.h"
-#include "draw/scene/layout.h"
 #include "draw/staging.h"
-#include "image/image.h"
 #include "image/png.h"
-#include "trace/trace.h"
-#include "view/view.h"
 
 namespace contactscope::app {
 

@@ -1,4 +1,3 @@
-#include <future>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -7,10 +6,8 @@
 #include "app/render/figure_canvas.h"
 #include "app/render/formats/sinks.h"
 #include "draw/strip.h"
-#include "snapshot/finding.h"
 #include "snapshot/store.h"
 #include "vector/font_subset.h"
-#include "view/words.h"
 
 namespace contactscope::app {
 namespace {

@@ -1,20 +1,15 @@
 #pragma once
 
-#include <chrono>
 #include <deque>
 #include <future>
-#include <thread>
 
 #include "app/cli/progress.h"
 #include "app/cli/sequence.h"
 #include "app/cli/verbs.h"
-#include "draw/scene/drawing.h"
 #include "draw/staging.h"
 #include "gl/rasterizer.h"
-#include "image/image.h"
 #include "image/png.h"
 #include "scenario/scenario.h"
-#include "trace/trace.h"
 
 namespace contactscope::app {
 

@@ -2,7 +2,6 @@
 
 #include "app/cli/catalogue.h"
 #include "scenario/run.h"
-#include "trace/json.h"
 
 namespace contactscope::app {
 namespace {

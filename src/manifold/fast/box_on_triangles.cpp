@@ -6,13 +6,7 @@
 namespace contactscope {
 namespace {
 
-using boxes::BoxTriangleAxis;
-using boxes::Coordinates;
-using boxes::kEdgeRefs;
-using boxes::lane_bits;
-using boxes::Three;
-using boxes::TriangleByBox;
-using boxes::vertex_of_box;
+using namespace boxes;
 
 /// Order of the additions in heights of vertices: as in query_faces(), and as in Plane::distance().
 template <class S>
@@ -33,13 +27,13 @@ template <class S, class Sum>
   return std::countr_zero(lane_bits<S>(low == least) | lane_bits<S>(high == least) << 4 | 0x80U);
 }
 
-/// Indices into boxes::kEdgeRefs, in the order of a ring. A: the box; B: the triangle's two faces.
+/// Indices into kEdgeRefs, in the order of a ring. A: the box; B: the triangle's two faces.
 using EdgePlaces = std::array<std::uint8_t, 4>;
 constexpr std::array<EdgePlaces, 2> kTriangleRings = {{{12, 13, 14}, {12, 14, 13}}};
 
 /// Adds the clipped corners below the reference face, or up to `margin` above it, moved onto it.
 template <class S>
-[[gnu::always_inline]] inline void add_points(const boxes::ClippedRectangle<S>& clipped,
+[[gnu::always_inline]] inline void add_points(const ClippedRectangle<S>& clipped,
                                               const EdgePlaces& incident, const EdgePlaces& sides,
                                               const Three<S>& normal, S offset, S margin, S scale,
                                               Contact<S>& contact) {
@@ -47,7 +41,7 @@ template <class S>
   for (int i = 0; i < clipped.count; ++i) {
     const int place = clipped.place(i);
     const Three<S>& position = clipped.positions[place];
-    const S distance = boxes::sum_of<S>(position * normal) - offset;
+    const S distance = sum_of<S>(position * normal) - offset;
     if (!(distance <= highest)) continue;
     const unsigned crossing = clipped.crossings[place];
     const auto edge = [&](unsigned number) {
@@ -55,7 +49,7 @@ template <class S>
     };
     const std::uint8_t one = edge(crossing & 7U), two = edge(crossing >> 4);
     contact.points.push_back(
-        {boxes::vector<S>(position - distance * normal), std::min(distance, margin), {}});
+        {vector<S>(position - distance * normal), std::min(distance, margin), {}});
     contact.points.back().id.first = std::bit_cast<FeatureRef>(kEdgeRefs[std::min(one, two)]);
     contact.points.back().id.second = std::bit_cast<FeatureRef>(kEdgeRefs[std::max(one, two)]);
   }
@@ -75,7 +69,7 @@ BoxOnTriangles<S>::BoxOnTriangles(const Hull<S>& box, const Mesh<S>& mesh,
       is_turn_(std::abs(mesh_in_box.rotation.squaredNorm() - S(1)) <=
                S(8) * std::numeric_limits<S>::epsilon()),
       turn_(mesh_in_box.rotation),
-      half_(boxes::three(box.half_extents)) {}
+      half_(three(box.half_extents)) {}
 
 /// The same steps as collide_hull_hull().
 template <class S>
@@ -85,7 +79,7 @@ template <class S>
   const TriangleByBox<S>& triangle =
       triangle_.emplace(mesh_, index, mesh_in_box_, turn_, box_.radius);
   index_ = index;
-  const Axis axis = boxes::box_triangle_sat(half_, box_.radius, triangle, margin_, preference_);
+  const Axis axis = box_triangle_sat(half_, box_.radius, triangle, margin_, preference_);
   if (axis.verdict == Axis::Separated) return true;
   if (axis.verdict == Axis::Undecided) return false;
   if (axis.verdict == Axis::Edge) {
@@ -121,8 +115,8 @@ template <class Sum>
   const Three<S> normal = face == 0 ? triangle.normal : -triangle.normal;
   const S offset = face == 0 ? triangle.offset : -triangle.offset;
   const int support = lowest_vertex<S>(Three<S>(normal * half_), offset, sum);
-  const int incident = boxes::incident_at<S>(support, boxes::vector<S>(normal));
-  boxes::RectanglePair<S> rectangles;
+  const int incident = incident_at<S>(support, vector<S>(normal));
+  RectanglePair<S> rectangles;
   rectangles.thickness = clip_thickness(triangle.scale);
   for (std::size_t i = 0; i < 4; ++i)
     rectangles.corners[i] =
@@ -130,7 +124,7 @@ template <class Sum>
   // From the back the edges come in the order 0, 2, 1, each starting at its other end.
   Three<S> sides[3], origins[3];
   for (int k = 0; k < 3; ++k) {
-    sides[k] = boxes::cross<S>(triangle.directions[k], triangle.normal);
+    sides[k] = cross<S>(triangle.directions[k], triangle.normal);
     origins[k] = triangle.corners[face == 0 ? k : (k + 1) % 3];
   }
   if (face == 1) {
@@ -144,14 +138,14 @@ template <class Sum>
   rectangles.side_z = of_sides.z;
   rectangles.side_offset = of_sides.dot(Coordinates<S>(origins[0], origins[1], origins[2], none)) +
                            Three<S>{0, 0, 0, std::numeric_limits<S>::infinity()};
-  boxes::ClippedRectangle<S> clipped;
-  if (!boxes::clip_rectangle(rectangles, clipped)) [[unlikely]]
+  ClippedRectangle<S> clipped;
+  if (!clip_rectangle(rectangles, clipped)) [[unlikely]]
     return false;
   contact.axis = AxisKind::FaceB;
-  contact.normal = boxes::vector<S>(-normal);
+  contact.normal = vector<S>(-normal);
   contact.scale = triangle.scale;
   contact.points.clear();
-  add_points(clipped, boxes::kRingEdges[static_cast<std::size_t>(incident)],
+  add_points(clipped, kRingEdges[static_cast<std::size_t>(incident)],
              kTriangleRings[static_cast<std::size_t>(face)], normal, offset, margin_,
              triangle.scale, contact);
   return true;
@@ -165,22 +159,22 @@ template <class S>
   const int axis = face / 2;
   const S sign = face % 2 == 0 ? S(1) : S(-1);
   const int incident = sign * triangle.normal[axis] > S(0) ? 1 : 0;
-  boxes::RectanglePair<S> rectangles;
+  RectanglePair<S> rectangles;
   rectangles.thickness = clip_thickness(triangle.scale);
   rectangles.corners[0] = triangle.corners[incident == 0 ? 0 : 1];
   rectangles.corners[1] = triangle.corners[incident == 0 ? 1 : 0];
   rectangles.corners[2] = triangle.corners[2];
-  boxes::lay_sides(half_, face, rectangles);
-  boxes::ClippedRectangle<S> clipped;
-  if (!boxes::clip_rectangle<3>(rectangles, clipped)) [[unlikely]]
+  lay_sides(half_, face, rectangles);
+  ClippedRectangle<S> clipped;
+  if (!clip_rectangle<3>(rectangles, clipped)) [[unlikely]]
     return false;
   contact.axis = AxisKind::FaceA;
   contact.normal = Vec3<S>::Unit(axis) * sign;
   contact.scale = triangle.scale;
   contact.points.clear();
   add_points(clipped, kTriangleRings[static_cast<std::size_t>(incident)],
-             boxes::kRingEdges[static_cast<std::size_t>(face)], boxes::three(contact.normal),
-             half_[axis], margin_, triangle.scale, contact);
+             kRingEdges[static_cast<std::size_t>(face)], three(contact.normal), half_[axis],
+             margin_, triangle.scale, contact);
   return true;
 }
 

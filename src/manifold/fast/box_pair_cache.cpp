@@ -4,10 +4,7 @@
 namespace contactscope {
 namespace {
 
-using boxes::BoxContact;
-using boxes::BoxPair;
-using boxes::Columns;
-using boxes::Three;
+using namespace boxes;
 
 /// How far any point of one box has moved, seen from the other, if both have turned by `turn`. Each
 /// box's centre is the origin of its own frame.
@@ -15,14 +12,14 @@ template <class S>
 [[gnu::always_inline]] inline S moved_since(const PairCache<S>& cache, const BoxPair<S>& pair,
                                             S turn) {
   const auto norm = [](const Three<S>& v) __attribute__((always_inline)) {
-    return std::sqrt(boxes::dot<S>(v, v));
+    return std::sqrt(dot<S>(v, v));
   };
   const Three<S> back = -pair.offset;
-  const Three<S> center_a = dot_sum<S>(Three<S>(pair.rows.of[0] * boxes::spread<0>(back)),
-                                       Three<S>(pair.rows.of[1] * boxes::spread<1>(back)),
-                                       Three<S>(pair.rows.of[2] * boxes::spread<2>(back)));
-  const S of_b = norm(pair.offset - boxes::three(cache.center_b)) + turn * pair.b.radius;
-  const S of_a = norm(center_a - boxes::three(cache.center_a)) + turn * pair.a.radius;
+  const Three<S> center_a = dot_sum<S>(Three<S>(pair.rows.of[0] * spread<0>(back)),
+                                       Three<S>(pair.rows.of[1] * spread<1>(back)),
+                                       Three<S>(pair.rows.of[2] * spread<2>(back)));
+  const S of_b = norm(pair.offset - three(cache.center_b)) + turn * pair.b.radius;
+  const S of_a = norm(center_a - three(cache.center_a)) + turn * pair.a.radius;
   return std::max(of_a, of_b);
 }
 
@@ -32,16 +29,16 @@ template <class S>
 template <class S> [[gnu::noinline]] S along_face(const BoxPair<S>& pair, Owner kept, int face) {
   const int axis = face / 2;
   const S sign = face % 2 == 0 ? S(1) : S(-1);
-  const Three<S> half_a = boxes::three(pair.a.half_extents);
-  const Three<S> half_b = boxes::three(pair.b.half_extents);
+  const Three<S> half_a = three(pair.a.half_extents);
+  const Three<S> half_b = three(pair.b.half_extents);
   const S rounding = tie_tolerance(pair.scale);
   if (kept == Owner::B) {
-    const S reach = boxes::dot<S>(boxes::absolute<S>(pair.rows.of[axis]), half_b);
+    const S reach = dot<S>(absolute<S>(pair.rows.of[axis]), half_b);
     return sign * pair.position[axis] - reach - half_a[axis] - rounding;
   }
   const Three<S>& normal = pair.columns.of[axis];
-  const S reach = boxes::dot<S>(boxes::absolute<S>(normal), half_a);
-  return -sign * boxes::dot<S>(normal, pair.offset) - half_b[axis] - reach - rounding;
+  const S reach = dot<S>(absolute<S>(normal), half_a);
+  return -sign * dot<S>(normal, pair.offset) - half_b[axis] - reach - rounding;
 }
 
 /// Metres, less by rounding as above: separation along the cross product of an edge of A and one of
@@ -78,10 +75,9 @@ template <class S>
   const S margin = static_cast<S>(options.margin);
   const Owner owner = cache.axis == AxisKind::FaceA ? Owner::A : Owner::B;
   const Columns<S> directions = owner == Owner::A ? pair.columns : pair.directions_of_b();
-  boxes::RectanglePair<S> rectangles;
+  RectanglePair<S> rectangles;
   const S slack = S(16) * std::numeric_limits<S>::epsilon() * pair.scale;
-  const boxes::FacePair<S> faces =
-      boxes::face_pair(pair, owner, cache.first, directions, slack, rectangles);
+  const FacePair<S> faces = face_pair(pair, owner, cache.first, directions, slack, rectangles);
   if (!faces.separation.is_alone) return false;
   const S separation = faces.separation.least;
   if (separation > margin) return true;  // still, or now, a separating axis
@@ -92,8 +88,7 @@ template <class S>
   const S far_bound = cache.far + moved + depth_rounding(pair.scale);
   if (!preferred(separation, far_bound, margin, pair.min_radius)) return false;
   S deepest;
-  if (!boxes::face_contact(faces, owner, cache.first, rectangles, pair.scale, margin, contact,
-                           deepest))
+  if (!face_contact(faces, owner, cache.first, rectangles, pair.scale, margin, contact, deepest))
     return false;
   const S near_bound = deepest < S(0) ? deepest * (cache.near_cosine - turn) : deepest;
   const S bound = std::max(far_bound, near_bound);
@@ -128,7 +123,7 @@ template <class S>
   BoxContact<S> contact;
   contact.scale = pair.scale;
   if (!from_cache(pair, b_in_a.rotation, cache, options, contact)) return false;
-  if (contact.count > 0) boxes::finish(pose_a, options, contact, manifolds.emplace_back());
+  if (contact.count > 0) finish(pose_a, options, contact, manifolds.emplace_back());
   return true;
 }
 

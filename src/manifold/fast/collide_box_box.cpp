@@ -6,12 +6,7 @@
 namespace contactscope {
 namespace {
 
-using boxes::BoxAxis;
-using boxes::BoxContact;
-using boxes::BoxPair;
-using boxes::FacePair;
-using boxes::RectanglePair;
-using boxes::Verdict;
+using namespace boxes;
 
 /// create_edge_contact() for two boxes.
 template <class S>
@@ -35,7 +30,7 @@ template <class S>
   const BoxPair<S> pair(a, b, b_in_a);
   contact.scale = pair.scale;
   const S margin = static_cast<S>(options.margin);
-  const BoxAxis<S> axis = boxes::box_sat(pair, margin, options.preference);
+  const BoxAxis<S> axis = box_sat(pair, margin, options.preference);
   if (axis.verdict == Verdict::Separated) return true;
   if (axis.verdict == Verdict::Undecided) return false;
   if (axis.verdict == Verdict::Edge) {
@@ -44,10 +39,10 @@ template <class S>
   }
   RectanglePair<S> rectangles;
   const FacePair<S> faces =
-      boxes::face_pair(pair, axis.reference, axis.face.face, axis.directions, S(0), rectangles);
+      face_pair(pair, axis.reference, axis.face.face, axis.directions, S(0), rectangles);
   S deepest;
-  if (!boxes::face_contact(faces, axis.reference, axis.face.face, rectangles, pair.scale, margin,
-                           contact, deepest))
+  if (!face_contact(faces, axis.reference, axis.face.face, rectangles, pair.scale, margin, contact,
+                    deepest))
     return false;
   // As in create_contact(), which would use another axis for a contact less deep than its axis.
   return axis.deepest > S(0) ||
@@ -62,7 +57,7 @@ template <class S>
                                       std::vector<Manifold<S>>& manifolds) {
   BoxContact<S> contact;
   if (!collide(a, b, relative_pose(pose_a, pose_b), options, contact)) return false;
-  if (contact.count > 0) boxes::finish(pose_a, options, contact, manifolds.emplace_back());
+  if (contact.count > 0) finish(pose_a, options, contact, manifolds.emplace_back());
   return true;
 }
 

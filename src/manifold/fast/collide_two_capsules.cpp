@@ -7,16 +7,7 @@
 namespace contactscope {
 namespace {
 
-using boxes::absolute;
-using boxes::Coordinates;
-using boxes::four_of;
-using boxes::lane_bits;
-using boxes::largest_of;
-using boxes::spread;
-using boxes::sum_of;
-using boxes::Three;
-using boxes::Turn;
-using boxes::TurnMatrix;
+using namespace boxes;
 
 /// A capsule's axis between its ends, in A's frame.
 template <class S> struct Axis {
@@ -179,13 +170,13 @@ template <class S>
   const TurnMatrix<S> to_world(pose_a.rotation);
   const Three<S> direction = to_world.of(normal), point = to_world.of(middle) + position_a;
   // Zero times a finite number is zero; times any other it is NaN.
-  if (!boxes::all<S>(S(0) * direction + S(0) * point == S(0))) return false;
+  if (!all<S>(S(0) * direction + S(0) * point == S(0))) return false;
 
   Manifold<S>& manifold = manifolds.emplace_back();
-  manifold.normal = boxes::vector<S>(direction * (swapped ? S(-1) : S(1)));
+  manifold.normal = vector<S>(direction * (swapped ? S(-1) : S(1)));
   manifold.axis = AxisKind::ClosestPoints;
   manifold.type = found.kind == Nearest::TwoEnds ? ContactType::PointPoint : ContactType::PointEdge;
-  manifold.points.push_back({boxes::vector<S>(point), separation, {}});
+  manifold.points.push_back({vector<S>(point), separation, {}});
   manifold.points[0].id.first = at(kFeatures[0], feature[swapped ? 1 : 0]);
   manifold.points[0].id.second = at(kFeatures[1], feature[swapped ? 0 : 1]);
   return true;

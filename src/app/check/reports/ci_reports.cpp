@@ -9,8 +9,60 @@
 namespace contactscope::app {
 namespace {
 
+using snapshot::Cause;
 using snapshot::Finding;
 using snapshot::ScenarioOutcome;
+
+/// Escapes for workflow commands: "docs.github.com, Workflow commands for GitHub Actions".
+std::string escaped(const std::string& text, bool is_property) {
+  const std::string_view special = is_property ? "%\n\r:," : "%\n\r";
+  std::string all;
+  for (const char c : text)
+    all += special.find(c) == special.npos ? std::string(1, c) : printed("%%%02X", int{c});
+  return all;
+}
+
+/// "line=22,": sentences of expectations start with "FILE:22: ".
+std::string line_in(const std::string& file, const Finding& finding) {
+  const std::string begin = file + ":";
+  if (!finding.sentence.starts_with(begin)) return {};
+  const std::string line = finding.sentence.substr(
+      begin.size(), finding.sentence.find_first_not_of("0123456789", begin.size()) - begin.size());
+  return line.empty() ? "" : "line=" + line + ",";
+}
+
+// $GITHUB_STEP_SUMMARY is limited to one MiB.
+constexpr std::size_t kMaxBytes = 900000;
+
+/// A small picture embedded in the text.
+std::string inline_picture(const ReportInput& input, const char* what, const std::string& file) {
+  if (file.empty() || !file.ends_with(".png")) return "| ";
+  constexpr int kWidth = 320;
+  const std::vector<std::uint8_t> png =
+      encode_png(shrunk(read_png((input.folder / file).string()), kWidth), 9);
+  return "| ![" + std::string(what) + "](data:image/png;base64," +
+         base64({reinterpret_cast<const char*>(png.data()), png.size()}) + ") ";
+}
+
+/// Escapes Markdown characters.
+std::string plain(const std::string& text) {
+  std::string all;
+  for (const char c : text) {
+    if (std::string_view("\\`*_{}[]<>#|!").find(c) != std::string_view::npos) all += '\\';
+    all += c == '\n' ? ' ' : c;
+  }
+  return all;
+}
+
+/// A name as code, fenced by more backticks than it contains.
+std::string code(const std::string& text) {
+  std::string fence = "`";
+  while (text.find(fence) != std::string::npos) fence += '`';
+  const std::string pad = fence.size() > 1 ? " " : "";
+  return fence + pad + text + pad + fence;
+}
+
+}  // namespace
 
 /// JUnit XML for Jenkins, GitLab and others: a suite per group, a case per scenario. Attachments
 /// have the form that the JUnit attachments plugin and GitLab expect.
@@ -63,30 +115,12 @@ void report_junit(const ReportInput& input) {
   snapshot::write_text(input.options.junit, out.str());
 }
 
-/// Escapes for workflow commands: "docs.github.com, Workflow commands for GitHub Actions".
-std::string escaped(const std::string& text, bool is_property) {
-  const std::string_view special = is_property ? "%\n\r:," : "%\n\r";
-  std::string all;
-  for (const char c : text)
-    all += special.find(c) == special.npos ? std::string(1, c) : printed("%%%02X", int{c});
-  return all;
-}
-
-/// "line=22,": sentences of expectations start with "FILE:22: ".
-std::string line_in(const std::string& file, const snapshot::Finding& finding) {
-  const std::string begin = file + ":";
-  if (!finding.sentence.starts_with(begin)) return {};
-  const std::string line = finding.sentence.substr(
-      begin.size(), finding.sentence.find_first_not_of("0123456789", begin.size()) - begin.size());
-  return line.empty() ? "" : "line=" + line + ",";
-}
-
 /// One annotation per cause at its first scenario's file: a pull request shows only ten.
 void report_github(const ReportInput& input) {
-  for (const snapshot::Cause& cause : snapshot::causes(input.outcome)) {
-    const snapshot::Finding& first = *cause.findings.front();
+  for (const Cause& cause : snapshot::causes(input.outcome)) {
+    const Finding& first = *cause.findings.front();
     std::string place;
-    for (const snapshot::ScenarioOutcome& scenario : input.outcome.scenarios)
+    for (const ScenarioOutcome& scenario : input.outcome.scenarios)
       if (scenario.scenario == first.scenario && !scenario.file.empty())
         place = "file=" + escaped(scenario.file, true) + "," + line_in(scenario.file, first);
     std::string text = first.sentence;
@@ -96,38 +130,6 @@ void report_github(const ReportInput& input) {
     std::cout << "::error " << place << "title=" << escaped(first.key(), true)
               << "::" << escaped(text, false) << '\n';
   }
-}
-
-using snapshot::Cause;
-// $GITHUB_STEP_SUMMARY is limited to one MiB.
-constexpr std::size_t kMaxBytes = 900000;
-
-/// A small picture embedded in the text.
-std::string inline_picture(const ReportInput& input, const char* what, const std::string& file) {
-  if (file.empty() || !file.ends_with(".png")) return "| ";
-  constexpr int kWidth = 320;
-  const std::vector<std::uint8_t> png =
-      encode_png(shrunk(read_png((input.folder / file).string()), kWidth), 9);
-  return "| ![" + std::string(what) + "](data:image/png;base64," +
-         base64({reinterpret_cast<const char*>(png.data()), png.size()}) + ") ";
-}
-
-/// Escapes Markdown characters.
-std::string plain(const std::string& text) {
-  std::string all;
-  for (const char c : text) {
-    if (std::string_view("\\`*_{}[]<>#|!").find(c) != std::string_view::npos) all += '\\';
-    all += c == '\n' ? ' ' : c;
-  }
-  return all;
-}
-
-/// A name as code, fenced by more backticks than it contains.
-std::string code(const std::string& text) {
-  std::string fence = "`";
-  while (text.find(fence) != std::string::npos) fence += '`';
-  const std::string pad = fence.size() > 1 ? " " : "";
-  return fence + pad + text + pad + fence;
 }
 
 void report_markdown(const ReportInput& input) {
@@ -158,16 +160,5 @@ void report_markdown(const ReportInput& input) {
   }
   snapshot::write_text(input.options.markdown, out.str());
 }
-
-}  // namespace
-
-const Report kJunitReport{[](const ReportInput& input) { return !input.options.junit.empty(); },
-                          &report_junit};
-
-const Report kGithubReport{[](const ReportInput& input) { return input.options.github; },
-                           &report_github};
-
-const Report kMarkdownReport{
-    [](const ReportInput& input) { return !input.options.markdown.empty(); }, &report_markdown};
 
 }  // namespace contactscope::app

@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check/reports/report.h"
-#include "image/encoding.h"
 #include "snapshot/store.h"
 #include "vector/svg.h"
 
@@ -14,7 +13,6 @@ namespace app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using snapshot::Cause;
 using snapshot::Finding;
 
 /// Embeds pictures so that the page can be sent as one file, up to a size that browsers handle
@@ -88,12 +86,14 @@ Json finding_json(const ReportInput& input, const Finding& finding, Pictures& pi
   return json;
 }
 
+}  // namespace
+
 void report_page(const ReportInput& input) {
   Pictures pictures(input.folder);
   Json json{{"summary", snapshot::summary(snapshot::tally(input.outcome))},
             {"out", out_argument(input)},
             {"causes", Json::array()}};
-  for (const Cause& cause : snapshot::causes(input.outcome)) {
+  for (const snapshot::Cause& cause : snapshot::causes(input.outcome)) {
     std::string kind(snapshot::name_of(cause.findings.front()->kind));
     std::ranges::replace(kind, '_', ' ');
     Json one{{"kind", kind},
@@ -117,14 +117,6 @@ void report_page(const ReportInput& input) {
   page.replace(page.find(mark), mark.size(), text);
   snapshot::write_text(input.folder / "report.html", page);
 }
-
-}  // namespace
-
-const Report kPageReport{[](const ReportInput& input) {
-                           return snapshot::tally(input.outcome).failing > 0 ||
-                                  std::filesystem::exists(input.folder / "report.html");
-                         },
-                         &report_page};
 
 }  // namespace app
 }  // namespace contactscope

@@ -3,10 +3,8 @@
 #include <filesystem>
 
 #include "app/cli/verbs.h"
-#include "snapshot/finding.h"
 
-/// Report formats of `check`: a row in reports.cpp and a file per format. They read only the
-/// Outcome and the folder of its candidates.
+/// Report formats of `check`. They read only the Outcome and the folder of its candidates.
 namespace contactscope::app {
 
 struct ReportInput {
@@ -15,14 +13,8 @@ struct ReportInput {
   const Options& options;
 };
 
-struct Report {
-  /// True if the options request it.
-  bool (*is_wanted)(const ReportInput& input);
-  void (*write)(const ReportInput& input);
-};
-
-extern const Report kPageReport, kTerminalReport, kJsonReport, kJunitReport, kGithubReport,
-    kMarkdownReport;
+using Report = void(const ReportInput& input);
+Report report_page, report_terminal, report_junit, report_github, report_markdown;
 
 /// For verbs that run or read a check. Trouble if a scenario is unreadable, even if others differ.
 ExitCode exit_code(const snapshot::Outcome& outcome);

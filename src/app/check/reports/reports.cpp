@@ -2,7 +2,6 @@
 
 #include "app/check/reports/report.h"
 #include "app/render/figure_canvas.h"
-#include "snapshot/changes.h"
 #include "snapshot/report_folder.h"
 
 namespace contactscope::app {
@@ -15,9 +14,14 @@ ExitCode exit_code(const snapshot::Outcome& outcome) {
 }
 
 void write_reports(const ReportInput& input) {
-  for (const Report* report :
-       {&kTerminalReport, &kJsonReport, &kJunitReport, &kGithubReport, &kMarkdownReport})
-    if (report->is_wanted(input)) report->write(input);
+  const Options& options = input.options;
+  if (options.json)
+    std::cout << snapshot::to_json(input.outcome);
+  else
+    report_terminal(input);
+  if (!options.junit.empty()) report_junit(input);
+  if (options.github) report_github(input);
+  if (!options.markdown.empty()) report_markdown(input);
 }
 
 std::string viewer_path(const std::string& candidate, const std::string& which) {
@@ -33,8 +37,8 @@ std::string path_in(const ReportInput& input, const std::string& file) {
 
 void rewrite_page(const std::filesystem::path& folder, const snapshot::Outcome& outcome,
                   const Options& options) {
-  const ReportInput input{outcome, folder, options};
-  if (kPageReport.is_wanted(input)) kPageReport.write(input);
+  if (snapshot::tally(outcome).failing > 0 || std::filesystem::exists(folder / "report.html"))
+    report_page({outcome, folder, options});
 }
 
 std::string out_argument(const ReportInput& input) {
@@ -66,10 +70,5 @@ std::string remedy(const ReportInput& input, const snapshot::Cause& cause) {
   names.resize(std::min(names.size(), kMaxNames));
   return accept_command(input, names);
 }
-
-/// Prints findings.json to standard output.
-const Report kJsonReport{
-    [](const ReportInput& input) { return input.options.json; },
-    [](const ReportInput& input) { std::cout << snapshot::to_json(input.outcome); }};
 
 }  // namespace contactscope::app

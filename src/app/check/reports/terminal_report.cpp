@@ -2,7 +2,6 @@
 #include <iostream>
 
 #include "app/check/reports/report.h"
-#include "core/spell.h"
 
 namespace contactscope::app {
 namespace {
@@ -113,6 +112,8 @@ void print_brittle(const snapshot::Outcome& outcome, bool is_verbose) {
             << (decisions == 1 ? "it" : "them") << '\n';
 }
 
+}  // namespace
+
 void report_terminal(const ReportInput& input) {
   const snapshot::Outcome& outcome = input.outcome;
   const Options& options = input.options;
@@ -138,10 +139,5 @@ void report_terminal(const ReportInput& input) {
   if (counts.failing == 0) return;
   std::cerr << "see " << path_in(input, "report.html") << "; " << what_to_do(input, counts) << '\n';
 }
-
-}  // namespace
-
-const Report kTerminalReport{[](const ReportInput& input) { return !input.options.json; },
-                             &report_terminal};
 
 }  // namespace contactscope::app

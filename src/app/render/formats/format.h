@@ -1,13 +1,10 @@
 #pragma once
 
 #include "app/cli/sequence.h"
-#include "draw/scene/drawing.h"
 #include "draw/staging.h"
-#include "image/image.h"
 #include "image/png.h"
-#include "trace/trace.h"
 
-/// Formats of `render --format`: a row in formats.cpp and a file per format.
+/// Formats of `render --format`: the rows of formats.cpp.
 namespace contactscope::app {
 
 /// A picture to be encoded. Copies share drawing and pixels.
@@ -55,10 +52,6 @@ struct Format {
   /// before rendering.
   void (*require)() = nullptr;
 };
-
-// Each is defined in the file of its name.
-extern const Format kPngFormat, kSvgFormat, kPdfFormat, kHtmlFormat, kApngFormat, kWebpFormat,
-    kViewerFormat;
 
 /// In listing order; the first is the default.
 const std::vector<Format>& formats();

@@ -70,74 +70,6 @@ template <class Encoder, auto kAbout> class AnimationReel : public Reel {
   std::future<void> running_{};                   // declared last: its destructor waits
 };
 
-}  // namespace
-
-const std::vector<Format>& formats() {
-  static const std::vector<Format> all = {kPngFormat,  kSvgFormat,  kPdfFormat,   kHtmlFormat,
-                                          kApngFormat, kWebpFormat, kViewerFormat};
-  return all;
-}
-
-std::vector<const Format*> formats_named(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    if (std::ranges::find(formats(), name, &Format::name) == formats().end())
-      throw UsageError("--format '" + name + "' is not known; " +
-                       did_you_mean(name, names_in(formats())) + "there is " +
-                       quoted_list(names_in(formats())));
-  }
-  std::vector<const Format*> chosen;
-  for (const Format& format : formats())
-    if (std::ranges::find(names, format.name) != names.end()) chosen.push_back(&format);
-  return chosen;
-}
-
-const Format kPngFormat{
-    .name = "png",
-    .extension = ".png",
-    .what = "pixels, one file per frame",
-    .needs_pixels = true,
-    .encode =
-        [](const Shot& shot) {
-          return encode_png(*shot.image, kFastestDeflate, entries_of(shot.origin));
-        },
-};
-
-const Format kApngFormat{
-    .name = "apng",
-    .extension = ".apng",
-    .what = "an animated PNG, one file per sequence",
-    .needs_pixels = true,
-    .begin = &reel_of<AnimationReel<ApngEncoder, entries_of>>,
-};
-
-const Format kSvgFormat{
-    .name = "svg",
-    .extension = ".svg",
-    .what = "vectors with live text, one file per frame",
-    .encode =
-        [](const Shot& shot) {
-          static vector::FontFaces faces;  // shared: pictures of a run use the same glyphs
-          const std::string svg =
-              vector::svg_of(*shot.drawing, {.origin = &shot.origin, .fonts = &faces});
-          return std::vector<std::uint8_t>(svg.begin(), svg.end());
-        },
-    .require = &vector::require_font_subsets,
-};
-
-const Format kPdfFormat{
-    .name = "pdf",
-    .extension = ".pdf",
-    .what = "a page of vectors, one file per frame",
-    .encode =
-        [](const Shot& shot) {
-          const std::string pdf = vector::pdf_of(*shot.drawing, {.origin = &shot.origin});
-          return std::vector<std::uint8_t>(pdf.begin(), pdf.end());
-        },
-    .require = &vector::require_pdf,
-};
-
-namespace {
-
 /// Origin metadata as XMP (ISO 16684-1), one line per entry in the description, which viewers show.
 std::string xmp_of(const PictureOrigin& origin) {
   std::string all =
@@ -149,19 +81,6 @@ std::string xmp_of(const PictureOrigin& origin) {
     all += vector::escaped(key + ": " + value) + "\n";
   return all + "</rdf:li></rdf:Alt></dc:description></rdf:Description></rdf:RDF></x:xmpmeta>";
 }
-
-}  // namespace
-
-const Format kWebpFormat{
-    .name = "webp",
-    .extension = ".webp",
-    .what = "lossless WebP, animated if there are several frames",
-    .needs_pixels = true,
-    .encode = [](const Shot& shot) { return encode_webp(*shot.image, xmp_of(shot.origin)); },
-    .begin = &reel_of<AnimationReel<WebpAnimation, xmp_of>>,
-};
-
-namespace {
 
 class HtmlReel : public Reel {
  public:
@@ -189,18 +108,6 @@ class HtmlReel : public Reel {
   page::Page page_;
 };
 
-}  // namespace
-
-const Format kHtmlFormat{
-    .name = "html",
-    .extension = ".html",
-    .what = "a page with a slider and the trace's facts, one file per sequence",
-    .begin = &reel_of<HtmlReel>,
-    .require = [] { vector::font_subset(FontWeight::Regular, {U'a'}); },
-};
-
-namespace {
-
 class ViewerReel : public Reel {
  public:
   explicit ViewerReel(const ReelPlan& plan)
@@ -216,19 +123,93 @@ class ViewerReel : public Reel {
 
 }  // namespace
 
-const Format kViewerFormat{
-    .name = "viewer",
-    .extension = ".viewer.html",
-    .what = "a page in 3D with a timeline, facts and search, one file per sequence",
-    .needs_drawings = false,
-    .begin = &reel_of<ViewerReel>,
-    .require =
-        [] {
-          if (viewer::three_script().empty())
-            throw UsageError(
-                "--format viewer: the program was built without three.js; install it "
-                "(apt-get install libjs-three) and build again");
-        },
-};
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all = {
+      {
+          .name = "png",
+          .extension = ".png",
+          .what = "pixels, one file per frame",
+          .needs_pixels = true,
+          .encode =
+              [](const Shot& shot) {
+                return encode_png(*shot.image, kFastestDeflate, entries_of(shot.origin));
+              },
+      },
+      {
+          .name = "svg",
+          .extension = ".svg",
+          .what = "vectors with live text, one file per frame",
+          .encode =
+              [](const Shot& shot) {
+                static vector::FontFaces faces;  // shared: pictures of a run use the same glyphs
+                const std::string svg =
+                    vector::svg_of(*shot.drawing, {.origin = &shot.origin, .fonts = &faces});
+                return std::vector<std::uint8_t>(svg.begin(), svg.end());
+              },
+          .require = &vector::require_font_subsets,
+      },
+      {
+          .name = "pdf",
+          .extension = ".pdf",
+          .what = "a page of vectors, one file per frame",
+          .encode =
+              [](const Shot& shot) {
+                const std::string pdf = vector::pdf_of(*shot.drawing, {.origin = &shot.origin});
+                return std::vector<std::uint8_t>(pdf.begin(), pdf.end());
+              },
+          .require = &vector::require_pdf,
+      },
+      {
+          .name = "html",
+          .extension = ".html",
+          .what = "a page with a slider and the trace's facts, one file per sequence",
+          .begin = &reel_of<HtmlReel>,
+          .require = [] { vector::font_subset(FontWeight::Regular, {U'a'}); },
+      },
+      {
+          .name = "apng",
+          .extension = ".apng",
+          .what = "an animated PNG, one file per sequence",
+          .needs_pixels = true,
+          .begin = &reel_of<AnimationReel<ApngEncoder, entries_of>>,
+      },
+      {
+          .name = "webp",
+          .extension = ".webp",
+          .what = "lossless WebP, animated if there are several frames",
+          .needs_pixels = true,
+          .encode = [](const Shot& shot) { return encode_webp(*shot.image, xmp_of(shot.origin)); },
+          .begin = &reel_of<AnimationReel<WebpAnimation, xmp_of>>,
+      },
+      {
+          .name = "viewer",
+          .extension = ".viewer.html",
+          .what = "a page in 3D with a timeline, facts and search, one file per sequence",
+          .needs_drawings = false,
+          .begin = &reel_of<ViewerReel>,
+          .require =
+              [] {
+                if (viewer::three_script().empty())
+                  throw UsageError(
+                      "--format viewer: the program was built without three.js; install it "
+                      "(apt-get install libjs-three) and build again");
+              },
+      },
+  };
+  return all;
+}
+
+std::vector<const Format*> formats_named(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (std::ranges::find(formats(), name, &Format::name) == formats().end())
+      throw UsageError("--format '" + name + "' is not known; " +
+                       did_you_mean(name, names_in(formats())) + "there is " +
+                       quoted_list(names_in(formats())));
+  }
+  std::vector<const Format*> chosen;
+  for (const Format& format : formats())
+    if (std::ranges::find(names, format.name) != names.end()) chosen.push_back(&format);
+  return chosen;
+}
 
 }  // namespace contactscope::app

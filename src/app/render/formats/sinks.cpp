@@ -1,7 +1,6 @@
 #include "app/render/formats/sinks.h"
 
 #include "app/render/figure_canvas.h"
-#include "core/spell.h"
 #include "image/whole_file.h"
 #include "snapshot/store.h"
 #include "vector/anchors.h"
