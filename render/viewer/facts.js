@@ -54,7 +54,8 @@ class Facts {
       make('p', what, box);
       if (frames.has(this.frame)) make('p', others ? 'In this frame, and in ' + more + '.' : 'In this frame alone.', box, 'quiet');
       else make('p', 'Not in this frame: in frame ' + data.frames[Math.min(...frames)] + (others > 1 ? ' first, of ' + others : '') + '.', box, 'quiet');
-      if (index === this.frame) explain(finding, box);
+      const own = finding.pair >= 0 ? namesInLint(finding.pair)[0] : '-1 ' + finding.body;
+      if (index === this.frame && isOurs(own)) explain(finding, box);
     }
   }
 

@@ -111,12 +111,15 @@ std::string packed(std::string_view bytes) {
 
 }  // namespace
 
-Viewer::Viewer(const draw::Staging& staging, const PictureOrigin& origin, bool ids_are_made)
+Viewer::Viewer(const draw::Staging& staging, const PictureOrigin& origin, lint::LintOptions options,
+               std::function<bool(lint::Finding&)> is_known)
     : staging_(staging),
       origin_(origin),
       facts_(*staging.header),
       linter_(*staging.header,
-              {.ids_are_made = ids_are_made, .is_marked = [](int) { return true; }}) {}
+              (
+                  options.is_marked = [](int) { return true; }, std::move(options))),
+      is_known_(std::move(is_known)) {}
 
 void Viewer::add(const trace::Frame& frame) {
   titles_.push_back(draw::fill_title(staging_, frame));
@@ -153,8 +156,9 @@ std::string Viewer::html() {
   std::map<std::string, int> bodies;
   for (const trace::Shape& shape : staging_.header->shapes)
     bodies.emplace(shape.name, count_of(bodies));
-  for (const lint::Finding& finding : linter_.findings())
-    if (lint::is_reported(finding)) page["findings"].push_back(finding_json(finding, bodies));
+  for (lint::Finding& finding : linter_.findings())
+    if (!(is_known_ && is_known_(finding)) && lint::is_reported(finding))
+      page["findings"].push_back(finding_json(finding, bodies));
 
   const std::map<std::string_view, std::string> values{
       {"GENERATOR", vector::escaped("contactscope " + origin_.version)},

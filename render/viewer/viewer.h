@@ -17,9 +17,10 @@ std::string_view three_script();
 
 class Viewer {
  public:
-  /// Takes camera, layers and header of `staging`, which must outlive the viewer. `ids_are_made`:
-  /// not those of the engine, so lint does not judge them.
-  Viewer(const draw::Staging& staging, const PictureOrigin& origin, bool ids_are_made = false);
+  /// Takes camera, layers and header of `staging`, which must outlive the viewer. `is_known`:
+  /// findings that the page leaves out.
+  Viewer(const draw::Staging& staging, const PictureOrigin& origin, lint::LintOptions options = {},
+         std::function<bool(lint::Finding&)> is_known = {});
 
   /// Adds the next frame, and checks its claims.
   void add(const trace::Frame& frame);
@@ -33,6 +34,7 @@ class Viewer {
   nlohmann::ordered_json titles_;
   PackedFacts facts_;
   lint::Linter linter_;
+  std::function<bool(lint::Finding&)> is_known_;
 };
 
 }  // namespace contactscope::viewer

@@ -103,20 +103,21 @@ class InternalEdgesWatch final : public Watch {
     for (const trace::Manifold& manifold : pair.manifolds) {
       const Vec3d outward = placed->pose.inverse_rotate(away * manifold.normal);
       for (const trace::Point& point : manifold.points) {
-        if (point.separation > tolerance) continue;
+        const double impulse = point.impulse ? point.impulse->normal : 0;
+        if (point.separation > tolerance && !(impulse > 0)) continue;
         ++tally_.of;
-        const double reach = 2 * std::max(tolerance, -point.separation);
+        const double reach = 2 * std::max(tolerance, std::abs(point.separation));
         const Vec3d allowed = allowed_normal(
             surface_around(*mesh, placed->pose.inverse_transform(point.position), reach, outward),
             outward);
         const double lean = angle_between(allowed, outward);
         if (!(lean > kLeaning)) continue;
         frames.explained->try_emplace(&pair, Explained::ButForSigns);
-        // By the lean and the speed that it may take.
-        const double impulse = point.impulse ? point.impulse->normal : 0;
+        // By the lean to about ten degrees, then by the impulse along the surface.
+        const double worst = 1 + std::floor(6 * lean) + 1 - 1 / (1 + std::sin(lean) * impulse);
         tally_.wrong_at({frames.now->frame, frames.now->line, name, other, point.position,
                          away * placed->pose.rotate(allowed)},
-                        frames, 1 + std::sin(lean) * impulse, [&] {
+                        frames, worst, [&] {
                           return std::pair("normal " + spelled(manifold.normal) + ", at " +
                                                spelled(point.position),
                                            "it leans by " + shown(lean * 180 / std::numbers::pi) +

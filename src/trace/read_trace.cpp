@@ -330,7 +330,7 @@ std::vector<Frame> TraceReader::read(std::vector<FrameText>& texts, const Parts&
       throw InputError(name_, one.line, 1, complaint.message);
     }
   });
-  if (torn_) frames.pop_back();
+  if (torn_ && !frames.empty()) frames.pop_back();  // after it there is nothing
   for (std::size_t i = 0; i < frames.size(); ++i) finish(frames[i], texts[i].line);
   return frames;
 }

@@ -54,6 +54,13 @@ struct Fault {
   bool is_condition = false;
 };
 
+/// A pair over the frames of a sequence.
+struct PairHistory {
+  std::vector<int> frames{};
+  std::vector<double> overlaps{};  // metres; NaN: no contact
+  std::vector<double> points{};
+};
+
 /// One camera on a scenario, with the layers and panels that it shows.
 struct View {
   std::string name = "main";
@@ -72,6 +79,7 @@ struct View {
   /// Shows subjects smaller than 20 pixels again, magnified.
   bool inset = true;
   Focus focus = Focus::Contact;
+  PairHistory history{};              // of two shapes in focus, if the trace is too long for memory
   std::vector<std::string> focus_on;  // names of shapes that the camera frames; empty: see `focus`
   Story story = Story::None;
   std::vector<Layer> layers;

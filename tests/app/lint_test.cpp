@@ -281,8 +281,8 @@ TEST(LintVerb, ATornFileIsReadUpToItsLastWholeLine) {
               HasSubstr(torn + ":3:1: the file is cut off within its last line [torn]"));
   EXPECT_THAT(result.err, testing::IsEmpty());
   const std::string out = " --size 320x180 --out '" + (folder / "out") + "'";
-  for (const std::string& verb :
-       {"render '" + torn + "'" + out, "explore --table '" + torn + "'"}) {
+  for (const std::string& verb : {"render '" + torn + "'" + out, "explore --table '" + torn + "'",
+                                  "find '" + torn + "' 'points > 0'"}) {
     const ProgramRun drawn = run(verb);
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
     EXPECT_THAT(drawn.err, HasSubstr("the file is cut off here"));

@@ -198,6 +198,8 @@ TEST(Finder, ReadsTheSameFromTextOnSeveralThreadsWithoutTheOtherParts) {
     EXPECT_THAT(found, testing::ElementsAreArray(find(condition)));
     ASSERT_TRUE(reader.torn());
     EXPECT_EQ(reader.torn()->line, 9);
+    lines.clear();
+    EXPECT_THAT(reader.read(lines, finder.parts(), workers), testing::IsEmpty());
   }
 }
 

@@ -69,6 +69,28 @@ TEST(InternalEdges, AreNamedWhereAFlatFloorPushesSideways) {
   }
 }
 
+/// A body that an edge stops is still apart from it, but gets an impulse. Where normals lean as much,
+/// the largest impulse comes first.
+TEST(InternalEdges, AreNamedBeforeTheyAreTouched) {
+  Trace trace = slide(sliders(1)[1].first, 0.301, grid(1), 1, true);
+  for (int f : {10, 20, 30}) {
+    trace::Pair& pair = trace.frames[std::size_t(f)].pairs[0];
+    trace::Manifold& manifold = pair.manifolds.emplace_back();
+    const double down = pair.a == "floor" ? 1 : -1;
+    const Vec3d lean = f == 30 ? Vec3d(0.5, 0.8, 0) : Vec3d(1, 0.1, 0);
+    manifold.normal = down * lean.normalized();
+    const Vec3d at = trace.frames[std::size_t(f)].poses[0].second.position;
+    manifold.points.push_back({{at.x(), 0, at.z()}, 0.001, "a:v0 b:f0"});
+    manifold.points[0].impulse = trace::Impulse{.normal = f == 20 ? 4.0 : f == 30 ? 90.0 : 0.1};
+    pair.state = "touching";
+  }
+  const std::vector<Finding> findings = lint(trace);
+  const auto edges = std::ranges::find(findings, "internal_edge", &Finding::cause);
+  ASSERT_NE(edges, findings.end()) << testing::PrintToString(causes_of(findings));
+  EXPECT_EQ(edges->count, 3);
+  EXPECT_EQ(edges->frame, 20);
+}
+
 /// Once in hundreds of pairs engines are grossly wrong.
 TEST(InternalEdges, AreNamedBeforeAPointThatIsOffOnce) {
   const auto [shape, height] = sliders(1).front();

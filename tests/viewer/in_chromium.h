@@ -48,12 +48,13 @@ inline CrateOnSlab rising() {
   return scene;
 }
 
-inline std::string page_of(const CrateOnSlab& scene) {
+inline std::string page_of(const CrateOnSlab& scene, const lint::LintOptions& options = {},
+                           const std::function<bool(lint::Finding&)>& is_known = {}) {
   const draw::Staging staging = scene.staged();
   PictureOrigin origin;
   origin.scenario = "mine/crate";
   origin.command = "contactscope render mine/crate --format viewer";
-  Viewer viewer(staging, origin);
+  Viewer viewer(staging, origin, options, is_known);
   for (const trace::Frame& frame : scene.frames) viewer.add(frame);
   return viewer.html();
 }

@@ -25,6 +25,16 @@ TEST(Viewer, FetchesNothingAndNamesOfATraceAreNoMarkup) {
   EXPECT_EQ(html, page_of(rising()));
 }
 
+TEST(Viewer, LeavesOutFindingsThatAreIgnoredOrKnown) {
+  CrateOnSlab scene = rising();
+  for (trace::Point& point : scene.frames[1].pairs[0].manifolds[0].points) point.separation = 0.5;
+  lint::LintOptions none;
+  for (const std::string_view cause : lint::causes()) none.ignored.push_back({std::string(cause)});
+  const auto is_known = [](const lint::Finding&) { return true; };
+  EXPECT_EQ(page_of(scene, none), page_of(scene, {}, is_known));
+  EXPECT_NE(page_of(scene, none), page_of(scene));
+}
+
 TEST_F(InChromium, ShowsTheFactsOfTheTraceAndAnswersClicksKeysAndSearch) {
   const json page = result(R"(
     const { data, state, onScreen, orbit } = contactscope, canvas = document.getElementById('view');

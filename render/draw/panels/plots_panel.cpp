@@ -1,5 +1,4 @@
 #include "draw/panels/panel.h"
-#include "draw/scene/points.h"
 
 namespace contactscope::draw {
 namespace {
@@ -62,7 +61,7 @@ class PlotsPanel : public PanelContent {
     const double height = zoom_ > 1 ? share : std::min<double>(pen.px(kMaxPlot), share);
     double y = rect.y + named;
     for (std::size_t i = 0; i < shown; ++i, y += height)
-      draw_series_chart(charts_[i], moment.frame, {rect.x, y, rect.width, height}, pen);
+      draw_series_chart(charts_[i], place_of(moment.frame), {rect.x, y, rect.width, height}, pen);
     if (strip > 0) draw_ids(moment.frame, {rect.x, y, rect.width, strip}, pen);
     const double gutter = pen.px(kChartGutter);
     draw_time_axis(frames_, rect.x + gutter, rect.width - gutter, y + strip + pen.px(kTimeAxis - 4),
@@ -125,6 +124,14 @@ class PlotsPanel : public PanelContent {
     }
   }
 
+  /// The place of a frame in the charts.
+  std::size_t place_of(std::size_t frame) const {
+    const auto found = std::ranges::find(history_.frames, frames_[frame].frame);
+    return found == history_.frames.end()
+               ? frame
+               : static_cast<std::size_t>(found - history_.frames.begin());
+  }
+
   /// In a heap, of the two shapes in focus alone.
   void gather_pair() {
     const std::string &a = staging_.view.focus_on[0], &b = staging_.view.focus_on[1];
@@ -132,16 +139,10 @@ class PlotsPanel : public PanelContent {
     SeriesChart overlap{"overlap", "m"}, points{"contact points", ""};
     overlap.curves.resize(1), points.curves.resize(1);
     points.steps = true;
-    for (const trace::Frame& frame : frames_) {
-      double deepest = std::numeric_limits<double>::quiet_NaN(), count = 0;
-      for (const trace::Pair& pair : frame.pairs) {
-        if (std::minmax(pair.a, pair.b) != std::minmax(a, b)) continue;
-        for (const PairPoint& one : all_points(pair))
-          deepest = std::fmax(deepest, std::max(0.0, -one.point->separation)), ++count;
-      }
-      overlap.curves[0].push_back(deepest);
-      points.curves[0].push_back(count);
-    }
+    history_ = staging_.view.history;
+    if (history_.frames.empty())
+      for (const trace::Frame& frame : frames_) add_frame(frame, a, b, history_);
+    overlap.curves[0] = history_.overlaps, points.curves[0] = history_.points;
     for (const auto& [chart, kind] :
          {std::pair{&overlap, Chart::Overlap}, {&points, Chart::Points}}) {
       if (!staging_.view.shows(kind)) continue;
@@ -236,6 +237,7 @@ class PlotsPanel : public PanelContent {
   std::vector<std::string> names_;      // of the curves
   std::vector<std::string> constants_;  // texts for quantities that never change
   std::string subject_;                 // of all charts; empty: of the scene
+  PairHistory history_;                 // of the subject
   bool is_gathered_ = false;
   mutable std::optional<IdHistory> ids_;
 };

@@ -231,4 +231,17 @@ std::vector<AxisMoment> axis_history(const std::vector<const trace::Pair*>& pair
   return history;
 }
 
+void add_frame(const trace::Frame& frame, const std::string& a, const std::string& b,
+               PairHistory& history) {
+  double deepest = std::numeric_limits<double>::quiet_NaN(), count = 0;
+  for (const trace::Pair& pair : frame.pairs) {
+    if (std::minmax(pair.a, pair.b) != std::minmax(a, b)) continue;
+    for (const PairPoint& one : all_points(pair))
+      deepest = std::fmax(deepest, std::max(0.0, -one.point->separation)), ++count;
+  }
+  history.frames.push_back(frame.frame);
+  history.overlaps.push_back(deepest);
+  history.points.push_back(count);
+}
+
 }  // namespace contactscope::draw

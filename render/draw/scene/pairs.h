@@ -210,6 +210,10 @@ std::string label_with_answer(const trace::Pair& pair);
 /// "A's y", "A's x × B's z", "middle to middle". For axis-aligned boxes "x", an axis of the world.
 std::string spell_axis(const trace::Query& query, const trace::TestedAxis& axis);
 
+/// Adds a frame to the history of two shapes.
+void add_frame(const trace::Frame& frame, const std::string& a, const std::string& b,
+               PairHistory& history);
+
 /// Corners of a box or six points of a ball, for fitting the view to it.
 std::vector<Vec3d> extent_points(const trace::Volume& volume);
 

@@ -1,5 +1,6 @@
 #include "app/cli/sequence.h"
 
+#include "draw/scene/pairs.h"
 #include "trace/find.h"
 #include "trace/point_names.h"
 
@@ -107,6 +108,18 @@ void Sequence::each(const std::vector<int>& wanted, const std::function<void(std
   }
 }
 
+PairHistory Sequence::history(const std::string& a, const std::string& b) const {
+  PairHistory all;
+  if (!file) return all;
+  file->rewind();
+  Workers workers(hardware_threads());
+  for (;;) {
+    const std::vector<trace::Frame> some = file->next({.poses = false, .stages = false}, workers);
+    if (some.empty()) return all;
+    for (const trace::Frame& frame : some) draw::add_frame(frame, a, b, all);
+  }
+}
+
 const trace::Frame* Sequence::recent(int number) const {
   for (const std::optional<trace::Frame>* one : {&before, &last})
     if (*one && (*one)->frame == number) return &**one;
@@ -124,6 +137,7 @@ Sequence read_sequence(const std::string& path, Hold hold, std::size_t budget) {
     sampler.add(std::move(*frame), file->bytes());
   }
   file->report_torn();
+  sequence.path = path;
   sequence.every = sampler.every();
   sequence.frames = sampler.frames();
   sequence.header = file->header();

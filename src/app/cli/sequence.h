@@ -11,6 +11,7 @@ struct Sequence {
   std::vector<trace::Frame> frames;   // in memory, one of each `every`
   std::vector<double> nanoseconds{};  // measured pipeline time per frame; empty unless requested
   std::vector<int> numbers{};         // for a trace: numbers of all frames, in order
+  std::string path{};                 // of a trace's file
   std::size_t every = 1;
   bool ids_are_made = false;          // see trace::name_points()
   std::shared_ptr<TraceFile> file{};  // for a long trace: source of the other frames
@@ -21,6 +22,9 @@ struct Sequence {
   std::optional<trace::Frame> last{}, before{};
   /// One of these two by its number; nullptr if it is neither.
   const trace::Frame* recent(int number) const;
+
+  /// A pair in every frame of a long trace; empty for others. Throws InputError.
+  PairHistory history(const std::string& a, const std::string& b) const;
 
   /// Shows each frame of `wanted` (increasing) by its index in `frames`. A frame that is not in
   /// memory temporarily replaces the sampled one. `with_before`: reads also the frame before each.

@@ -287,6 +287,13 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
               << '\n';
     return;
   }
+  for (View& view : views) {
+    std::vector<std::string> pair = view.focus_on;
+    const Fault::Place* const place = view.focus == Focus::Worst ? view.first_fault() : nullptr;
+    if (place != nullptr) pair = {place->a, place->b};
+    if (view.shows(Panel::Plots) && pair.size() == 2 && !pair[1].empty())
+      view.history = sequence.history(pair[0], pair[1]);
+  }
   const std::shared_ptr<const Words> words = words_of(input, options);
   // Hashing the file of a trace takes a while.
   auto hashed = std::async(std::launch::async, origin_of, std::cref(input),

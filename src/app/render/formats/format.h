@@ -3,6 +3,7 @@
 #include "app/cli/sequence.h"
 #include "draw/staging.h"
 #include "image/png.h"
+#include "lint/linter.h"
 
 /// Formats of `render --format`: the rows of formats.cpp.
 namespace contactscope::app {
@@ -23,6 +24,9 @@ struct ReelPlan {
   const Sequence* sequence = nullptr;
   std::vector<int> frames{};    // frame numbers, increasing
   std::optional<double> fps{};  // pictures per second; nullopt: by frame times
+  // How pages judge contacts, and the findings that they leave out.
+  lint::LintOptions to_lint{};
+  std::function<bool(lint::Finding&)> is_known{};
 };
 
 /// A file of a whole sequence, written picture by picture.

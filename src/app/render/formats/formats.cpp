@@ -111,7 +111,7 @@ class HtmlReel : public Reel {
 class ViewerReel : public Reel {
  public:
   explicit ViewerReel(const ReelPlan& plan)
-      : path_(plan.path), viewer_(*plan.staging, plan.origin, plan.sequence->ids_are_made) {}
+      : path_(plan.path), viewer_(*plan.staging, plan.origin, plan.to_lint, plan.is_known) {}
 
   void add(const Shot&, const trace::Frame& frame) override { viewer_.add(frame); }
   void finish() override { snapshot::write_text(path_, viewer_.html()); }

@@ -1,5 +1,6 @@
 #include "app/render/formats/sinks.h"
 
+#include "app/cli/faults.h"
 #include "app/render/figure_canvas.h"
 #include "image/whole_file.h"
 #include "snapshot/store.h"
@@ -65,6 +66,10 @@ void Sinks::begin(const Series& series) {
                   series.frames,
                   options_.fps};
     plan.origin.frames = separated(series.frames, ", ");
+    plan.to_lint = linter_options(options_);
+    plan.to_lint.ids_are_made = series.sequence->ids_are_made;
+    plan.is_known = [known = KnownFindings(options_), file = series.sequence->path](
+                        lint::Finding& finding) { return known.knows(file, finding); };
     reels_.back() = format->begin(plan);
   }
 }
