@@ -146,13 +146,10 @@ std::optional<Vec2d> place_on(const std::vector<Vec2d>& own,
 
 }  // namespace
 
-bool names_shapes(const Scene& scene) {
-  return scene.shows(Layer::Shapes) && !scene.shows(Layer::Names) && !scene.crowded() &&
-         !scene.frame.broad_phase && !scene.frame.pairs.empty();
-}
-
 void draw_shape_names(const Scene& scene, Sketch& sketch) {
-  if (!names_shapes(scene)) return;
+  if (!scene.shows(Layer::Shapes) || scene.shows(Layer::Names) || scene.crowded() ||
+      scene.frame.broad_phase || scene.frame.pairs.empty())
+    return;
   const std::vector<Named> named = named_shapes(scene);
   // With many names only roles are written, if normals show their direction.
   const bool roles_alone = named.size() > kMaxNamedShapes;

@@ -80,8 +80,6 @@ void draw_pair_label(const Scene& scene, const trace::Pair& pair, Sketch& sketch
 /// Marks the pairs that the panel lint lists.
 void draw_faults(const Scene& scene, Sketch& sketch);
 
-/// Whether names are written on shapes, so that the legend need not list them.
-bool names_shapes(const Scene& scene);
 /// Names up to three shapes, copies once, on the shapes and away from the contact: "A: floor".
 void draw_shape_names(const Scene& scene, Sketch& sketch);
 

@@ -31,10 +31,6 @@ const trace::Pair* first_of(const Pairs& pairs, const auto& holds) {
   return found == pairs.end() ? nullptr : *found;
 }
 
-const trace::Pair* reduced_one(const Pairs& pairs) {
-  return first_of(pairs, [](const trace::Pair& pair) { return pair.reduction.has_value(); });
-}
-
 /// Number of points before the reduction of a pair.
 std::size_t candidates_of(const trace::Pair& pair) {
   if (pair.merge) {
@@ -194,7 +190,8 @@ struct Filler {
   }
 
   static Words area(const Pairs& pairs, TitleFact fact) {
-    const trace::Pair* pair = reduced_one(pairs);
+    const trace::Pair* pair =
+        first_of(pairs, [](const trace::Pair& one) { return one.reduction.has_value(); });
     if (pair == nullptr) return {};
     const trace::Reduction& reduction = *pair->reduction;
     if (fact == TitleFact::Area) return spell_area(reduction.area);

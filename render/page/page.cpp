@@ -75,10 +75,6 @@ ordered_json area_json(const AreaFacts& area) {
           {"layer", area.layer}, {"polygon", polygon}, {"rows", area.rows}};
 }
 
-ordered_json pair_json(const PairFacts& pair) {
-  return {{"key", pair.key}, {"name", pair.name}, {"parts", pair.parts}, {"rows", pair.rows}};
-}
-
 std::string view_box(const draw::Rect& rect) {
   return separated(std::array{rect.x, rect.y, rect.width, rect.height}, " ", vector::number);
 }
@@ -103,12 +99,6 @@ std::string filled(std::string_view markup, const std::map<std::string_view, std
   return text;
 }
 
-void add_words(const std::string& words, vector::UsedCharacters& used) {
-  for (const char32_t code_point : code_points(words))
-    for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold})
-      if (has_glyph(code_point, weight)) used[weight].insert(code_point);
-}
-
 }  // namespace
 
 /// page.html, page.css and page.js, embedded by the build.
@@ -120,7 +110,9 @@ Page::Page(const draw::Staging& staging, const PictureOrigin& origin)
     : staging_(staging), origin_(origin), title_(origin.title) {
   std::string letters = "←→−×²³µ°·…";
   for (char c = ' '; c <= '~'; ++c) letters += c;
-  add_words(letters + origin.title + staging.header->source, used_);
+  for (const char32_t code_point : code_points(letters + origin.title + staging.header->source))
+    for (const FontWeight weight : {FontWeight::Regular, FontWeight::Bold})
+      if (has_glyph(code_point, weight)) used_[weight].insert(code_point);
 }
 
 // Symbols and texts alternate. Each symbol becomes its own picture, so that the page can wrap the
@@ -191,7 +183,9 @@ void Page::add(const trace::Frame& frame, const Drawing& drawing) {
     for (const AreaFacts& area : area_facts(staging_, frame, drawing))
       json["faces"].push_back(area_json(area));
   }
-  for (const PairFacts& pair : pair_facts(frame)) json["pairs"].push_back(pair_json(pair));
+  for (const PairFacts& pair : pair_facts(frame))
+    json["pairs"].push_back(
+        {{"key", pair.key}, {"name", pair.name}, {"parts", pair.parts}, {"rows", pair.rows}});
   if (frames_.empty()) {
     first_view_ = in_view;
     first_panels_ = in_panels;

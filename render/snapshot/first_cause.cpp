@@ -66,11 +66,6 @@ bool has_impulse(const Difference& difference) {
       difference.what, [](const Changes::What& what) { return what.kind == trace::Kind::Impulse; });
 }
 
-int count_points(const FrameDifferences& frame, const std::string& subject) {
-  const trace::Pair* const pair = find_pair(frame.actual, subject);
-  return pair == nullptr ? 0 : count_of(joined(pair->manifolds, &trace::Manifold::points));
-}
-
 /// A choice of the pipeline that differs from the stored trace.
 struct Flipped {
   Stage stage = Stage::Decision;
@@ -111,8 +106,9 @@ std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
     else
       ++found->count;
   };
-  const bool is_pair = find_pair(frame.actual, origin.subject) != nullptr;
-  const int points = is_pair ? count_points(frame, origin.subject) : 0;
+  const trace::Pair* const pair = find_pair(frame.actual, origin.subject);
+  const bool is_pair = pair != nullptr;
+  const int points = is_pair ? count_of(joined(pair->manifolds, &trace::Manifold::points)) : 0;
   for (const Difference& difference : frame.differences) {
     if (is_pair && difference.subject != origin.subject) continue;
     const bool is_named =

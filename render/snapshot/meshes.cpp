@@ -18,6 +18,10 @@ constexpr const char* kEnding = ".json.gz";
 constexpr const char* kKey = "geometry";
 constexpr std::size_t kDigits = 32;  // of SHA-256: no collisions in practice
 
+fs::path mesh_path(const fs::path& root, const std::string& name) {
+  return root / kFolder / (name + kEnding);
+}
+
 bool is_name(const std::string& name) {
   return name.size() == kDigits && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
@@ -91,10 +95,6 @@ void remove_unless_named(const fs::path& root, const std::set<std::string>& mesh
 }
 
 }  // namespace
-
-fs::path mesh_path(const fs::path& root, const std::string& name) {
-  return root / kFolder / (name + kEnding);
-}
 
 std::set<std::string> meshes_named(const std::string& text) {
   const std::string mark = std::string("\"") + kKey + "\":\"";

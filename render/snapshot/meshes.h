@@ -15,8 +15,6 @@ namespace contactscope::snapshot {
 /// Shorter lists of a shape, as JSON, stay in the trace.
 inline constexpr std::size_t kLargeMesh = 64 << 10;
 
-std::filesystem::path mesh_path(const std::filesystem::path& root, const std::string& name);
-
 /// Names of the meshes in a trace, from its text or its header line alone.
 std::set<std::string> meshes_named(const std::string& text);
 

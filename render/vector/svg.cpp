@@ -8,6 +8,18 @@
 namespace contactscope::vector {
 namespace {
 
+/// Appends a number in its shortest form: "-.5", "12", "0".
+void add_hundredths(std::int64_t hundredths, std::string& out) {
+  const std::int64_t size = hundredths < 0 ? -hundredths : hundredths;
+  if (hundredths < 0) out += '-';
+  const std::int64_t whole = size / 100, rest = size % 100;
+  if (whole > 0 || rest == 0) out += std::to_string(whole);
+  if (rest == 0) return;
+  out += '.';
+  out += static_cast<char>('0' + rest / 10);
+  if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
+}
+
 constexpr double kPixelOfCss = 0.75;  // points
 
 /// Path data with relative steps in whole hundredths of a pixel, so that rounding errors do not
@@ -266,17 +278,6 @@ struct SvgWriter {
 
 std::string svg_of(const draw::Drawing& drawing, const SvgOptions& options) {
   return SvgWriter{drawing, options}.write();
-}
-
-void add_hundredths(std::int64_t hundredths, std::string& out) {
-  const std::int64_t size = hundredths < 0 ? -hundredths : hundredths;
-  if (hundredths < 0) out += '-';
-  const std::int64_t whole = size / 100, rest = size % 100;
-  if (whole > 0 || rest == 0) out += std::to_string(whole);
-  if (rest == 0) return;
-  out += '.';
-  out += static_cast<char>('0' + rest / 10);
-  if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
 }
 
 std::string number(double value) {

@@ -28,9 +28,7 @@ struct SvgOptions {
 /// Throws MissingLibrary if the font is to be embedded and libharfbuzz-subset is missing.
 std::string svg_of(const draw::Drawing& drawing, const SvgOptions& options = {});
 
-/// Appends a number in its shortest form: "-.5", "12", "0".
-void add_hundredths(std::int64_t value, std::string& out);
-/// With at most two decimals.
+/// In its shortest form, with at most two decimals: "-.5", "12", "0".
 std::string number(double value);
 
 /// "#d55e00", or its short form "#fff"; ignores alpha.

@@ -2,8 +2,6 @@
 
 #include <compare>
 
-#include "core/pose.h"
-#include "geometry/aabb.h"
 #include "geometry/shape.h"
 
 namespace contactscope {

@@ -1,5 +1,4 @@
 #include "broadphase/broad_phase.h"
-#include "core/pack.h"
 
 namespace contactscope {
 namespace {

@@ -81,35 +81,6 @@ template <class S> ImpactStep<S> narrowed(const ImpactStep<double>& wide) {
           .safe = rounded_down<S>(wide.safe)};
 }
 
-}  // namespace
-
-const std::vector<ImpactMethodInfo>& impact_methods() {
-  const auto info = [](ImpactMethod method, const char* summary) {
-    return ImpactMethodInfo{method, to_string(method), summary};
-  };
-  static const std::vector<ImpactMethodInfo> kAll = {
-      info(ImpactMethod::Speculative,
-           "contacts as far apart as the two can come nearer in the step; pushes where nothing "
-           "would "
-           "meet (ghosts)"),
-      info(ImpactMethod::Swept, "a cast of the shapes as they stand; misses what meets by turning"),
-      info(ImpactMethod::ConservativeAdvancement,
-           "safe steps of the distance over the fastest approach (Mirtich 1996)"),
-      info(ImpactMethod::TimeOfImpact,
-           "roots of the separation along the axis of GJK (Catto 2013), bounded so that none is "
-           "late"),
-  };
-  return kAll;
-}
-
-std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
-  if (a == ShapeKind::Plane && b == ShapeKind::Plane)
-    return "when two planes meet is not known; one of the shapes must have an end";
-  return std::nullopt;
-}
-
-namespace {
-
 /// Whether a shape that does not touch a field's source surface is inside it.
 template <class S>
 bool starts_inside(const Shape<S>& shape, const Sweep<S>& of_field, const Shape<S>& other,
@@ -191,6 +162,31 @@ ShapeImpact<double> impact_of_solids(const Shape<S>& a, const Sweep<double>& swe
 }
 
 }  // namespace
+
+const std::vector<ImpactMethodInfo>& impact_methods() {
+  const auto info = [](ImpactMethod method, const char* summary) {
+    return ImpactMethodInfo{method, to_string(method), summary};
+  };
+  static const std::vector<ImpactMethodInfo> kAll = {
+      info(ImpactMethod::Speculative,
+           "contacts as far apart as the two can come nearer in the step; pushes where nothing "
+           "would "
+           "meet (ghosts)"),
+      info(ImpactMethod::Swept, "a cast of the shapes as they stand; misses what meets by turning"),
+      info(ImpactMethod::ConservativeAdvancement,
+           "safe steps of the distance over the fastest approach (Mirtich 1996)"),
+      info(ImpactMethod::TimeOfImpact,
+           "roots of the separation along the axis of GJK (Catto 2013), bounded so that none is "
+           "late"),
+  };
+  return kAll;
+}
+
+std::optional<std::string> impact_refusal(ShapeKind a, ShapeKind b) {
+  if (a == ShapeKind::Plane && b == ShapeKind::Plane)
+    return "when two planes meet is not known; one of the shapes must have an end";
+  return std::nullopt;
+}
 
 template <class S>
 ShapeImpact<S> impact_of_shapes(const Shape<S>& a, const Sweep<S>& sweep_a, const Shape<S>& b,

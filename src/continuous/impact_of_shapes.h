@@ -1,7 +1,6 @@
 #pragma once
 
 #include "continuous/impact.h"
-#include "geometry/shape.h"
 
 namespace contactscope {
 

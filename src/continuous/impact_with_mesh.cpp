@@ -1,7 +1,5 @@
 #include "continuous/impact_with_mesh.h"
 
-#include <cassert>
-
 #include "broadphase/broad_phase.h"
 #include "continuous/portal_cast.h"
 #include "query/mesh_overlap.h"

@@ -2,7 +2,6 @@
 
 #include "continuous/impact_of_shapes.h"
 #include "continuous/moving_features.h"
-#include "geometry/mesh.h"
 
 namespace contactscope {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
-#include "geometry/aabb.h"
 #include "geometry/shape.h"
 
 /// Bounds of the region that a moving shape sweeps in its step, and of the approach of two shapes.

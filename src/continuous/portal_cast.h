@@ -1,7 +1,6 @@
 #pragma once
 
 #include "continuous/approach.h"
-#include "core/vec3.h"
 
 namespace contactscope {
 

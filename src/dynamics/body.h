@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/shape.h"
 
 namespace contactscope {

@@ -3,7 +3,6 @@
 #include "broadphase/broad_phase.h"
 #include "dynamics/solver.h"
 #include "geometry/core_hull.h"
-#include "geometry/mesh.h"
 #include "manifold/in_double.h"
 
 namespace contactscope {

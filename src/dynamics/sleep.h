@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/vec3.h"
 #include "dynamics/solver.h"
-#include "trace/trace.h"
 
 /// Resting bodies stay in place until a moving one touches them. This is decided per island, all
 /// dynamic bodies that contacts join: a body alone would fall asleep under a stack that still

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "continuous/motion_bounds.h"
 #include "dynamics/continuous_step.h"
 #include "manifold/dispatch.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pack.h"
 #include "field/field_builder.h"
 
 namespace contactscope {

@@ -1,6 +1,5 @@
 #include "field/closed_surface.h"
 
-#include "core/input_error.h"
 #include "geometry/triangulate.h"
 #include "query/winding.h"
 

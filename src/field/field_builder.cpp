@@ -1,6 +1,5 @@
 #include "field/field_builder.h"
 
-#include "core/input_error.h"
 #include "field/block_filler.h"
 #include "field/closed_surface.h"
 #include "query/winding.h"

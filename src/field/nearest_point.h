@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pack.h"
 #include "geometry/mesh.h"
 
 namespace contactscope {

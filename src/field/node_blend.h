@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/pack.h"
-#include "core/vec3.h"
 
 /// Lattice nodes, rounded to 16 bits, and their blend, which takes most of a distance field query.
 namespace contactscope {

@@ -1,8 +1,5 @@
 #include "geometry/aabb_tree.h"
 
-#include <cassert>
-
-#include "core/pack.h"
 #include "trace/pair.h"
 
 namespace contactscope {

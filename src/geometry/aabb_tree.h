@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/static_vector.h"
 #include "geometry/aabb.h"
 
 namespace contactscope {

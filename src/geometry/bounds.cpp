@@ -5,7 +5,6 @@
 #include <Eigen/QR>
 
 #include "core/convex_polygon.h"
-#include "core/static_vector.h"
 
 namespace contactscope {
 namespace {

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "core/convex_polygon.h"
-#include "geometry/aabb.h"
 #include "geometry/quickhull.h"
 #include "geometry/shape.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/input_error.h"
-#include "core/vec3.h"
 #include "geometry/hull.h"
 
 namespace contactscope {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/input_error.h"
-#include "core/vec3.h"
 #include "geometry/aabb_tree.h"
 
 namespace contactscope {

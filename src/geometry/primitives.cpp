@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-#include "core/manifold.h"
 #include "geometry/box_topology.h"
 #include "geometry/hull_builder.h"
 

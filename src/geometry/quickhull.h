@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/vec3.h"
 #include "geometry/hull.h"
 
 namespace contactscope::quickhull {

@@ -1,7 +1,6 @@
 #include "manifold/collide_pairs.h"
 #include "manifold/create_contact.h"
 #include "query/fast/face_bounds.h"
-#include "query/penetration.h"
 #include "query/tolerance.h"
 
 namespace contactscope {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/manifold.h"
 #include "reduce/reducer.h"
 
 namespace contactscope {

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <cstring>
-
 #include "geometry/shape.h"
 #include "manifold/recorder.h"
 #include "query/capsule_sat.h"
-#include "reduce/reducer.h"
 
 /// The functions of the table in dispatch.h, one for each pair of shapes. They work in A's frame,
 /// metres. Source, except for planes: Gregorius 2015, the slides of the same names.

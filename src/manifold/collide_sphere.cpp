@@ -19,6 +19,57 @@ template <class S> S rounding_across(const Vec3<S>& center, const Capsule<S>& ca
   return kRoundings * (safe_norm(center) + obliqueness * safe_norm(along));
 }
 
+/// The closest feature of the hull to the centre, in the hull's frame.
+template <class S> struct Touch {
+  HullFeature feature;
+  S distance;      // of the centre from the feature, negative inside
+  Vec3<S> normal;  // unit, from the hull outward
+};
+
+template <class S> Touch<S> touch_face(const Hull<S>& hull, int face, S distance) {
+  return {{FeatureKind::Face, face}, distance, at(hull.planes, face).normal};
+}
+
+/// Perpendicular vector from an edge to a point outside, computed from the nearer vertex: its
+/// rounding is then relative to the vector, not to the coordinates.
+template <class S> Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
+  const Vec3<S> from_origin = point - hull.origin(half_edge);
+  const Vec3<S> from_target = point - hull.target(half_edge);
+  const Vec3<S> along = hull.target(half_edge) - hull.origin(half_edge);
+  const S to_origin = from_origin.squaredNorm(), to_target = from_target.squaredNorm();
+  // For two equally near vertices, the same from either half-edge.
+  const bool origin_is_nearer =
+      to_origin < to_target || (to_origin == to_target && half_edge % 2 != 0);
+  const Vec3<S>& from = origin_is_nearer ? from_origin : from_target;
+  return from - (from.dot(along) / along.squaredNorm()) * along;
+}
+
+/// The closest feature of the hull to a centre over none of its nearest faces and beyond the
+/// half-edge `side_edge` of one. GJK runs only for a record, or if no Voronoi region decides.
+template <class S>
+Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
+                              int side_edge, S scale, GjkRun<S>* run) {
+  const std::optional<HullFeature> region = voronoi_region(hull, side_edge, center, scale);
+  const auto by_gjk = [&] {
+    const GjkSimplex<S> start =
+        simplex_near(hull, nearest_outside_edge(hull, nearest_face, center), 0);
+    return feature_of_b(
+        hull, gjk(support_set(center), support_set(hull), Pose<S>{}, &start, run).simplex);
+  };
+  HullFeature feature;
+  if (!region || run != nullptr) feature = by_gjk();
+  if (region) feature = *region;
+  if (feature.kind == FeatureKind::Face) {
+    const int face = feature.index < 0 ? nearest_face : feature.index;
+    return touch_face(hull, face, at(hull.planes, face).distance(center));
+  }
+  const Vec3<S> outward = feature.kind == FeatureKind::Edge
+                              ? from_edge(hull, feature.index, center)
+                              : Vec3<S>(center - at(hull.vertices, feature.index));
+  const S distance = outward.norm();
+  return {feature, distance, distance > S(0) ? Vec3<S>(outward / distance) : outward};
+}
+
 }  // namespace
 
 /// Works in the capsule's own frame, where its axis is exact. Steps: 1. the vector to the closest
@@ -79,61 +130,6 @@ S collide_sphere_sphere(const Sphere<S>& a, const Sphere<S>& b, const Pose<S>& b
                   id, contact);
   return separation;
 }
-
-namespace {
-
-/// The closest feature of the hull to the centre, in the hull's frame.
-template <class S> struct Touch {
-  HullFeature feature;
-  S distance;      // of the centre from the feature, negative inside
-  Vec3<S> normal;  // unit, from the hull outward
-};
-
-template <class S> Touch<S> touch_face(const Hull<S>& hull, int face, S distance) {
-  return {{FeatureKind::Face, face}, distance, at(hull.planes, face).normal};
-}
-
-/// Perpendicular vector from an edge to a point outside, computed from the nearer vertex: its
-/// rounding is then relative to the vector, not to the coordinates.
-template <class S> Vec3<S> from_edge(const Hull<S>& hull, int half_edge, const Vec3<S>& point) {
-  const Vec3<S> from_origin = point - hull.origin(half_edge);
-  const Vec3<S> from_target = point - hull.target(half_edge);
-  const Vec3<S> along = hull.target(half_edge) - hull.origin(half_edge);
-  const S to_origin = from_origin.squaredNorm(), to_target = from_target.squaredNorm();
-  // For two equally near vertices, the same from either half-edge.
-  const bool origin_is_nearer =
-      to_origin < to_target || (to_origin == to_target && half_edge % 2 != 0);
-  const Vec3<S>& from = origin_is_nearer ? from_origin : from_target;
-  return from - (from.dot(along) / along.squaredNorm()) * along;
-}
-
-/// The closest feature of the hull to a centre over none of its nearest faces and beyond the
-/// half-edge `side_edge` of one. GJK runs only for a record, or if no Voronoi region decides.
-template <class S>
-Touch<S> touch_edge_or_vertex(const Hull<S>& hull, const Vec3<S>& center, int nearest_face,
-                              int side_edge, S scale, GjkRun<S>* run) {
-  const std::optional<HullFeature> region = voronoi_region(hull, side_edge, center, scale);
-  const auto by_gjk = [&] {
-    const GjkSimplex<S> start =
-        simplex_near(hull, nearest_outside_edge(hull, nearest_face, center), 0);
-    return feature_of_b(
-        hull, gjk(support_set(center), support_set(hull), Pose<S>{}, &start, run).simplex);
-  };
-  HullFeature feature;
-  if (!region || run != nullptr) feature = by_gjk();
-  if (region) feature = *region;
-  if (feature.kind == FeatureKind::Face) {
-    const int face = feature.index < 0 ? nearest_face : feature.index;
-    return touch_face(hull, face, at(hull.planes, face).distance(center));
-  }
-  const Vec3<S> outward = feature.kind == FeatureKind::Edge
-                              ? from_edge(hull, feature.index, center)
-                              : Vec3<S>(center - at(hull.vertices, feature.index));
-  const S distance = outward.norm();
-  return {feature, distance, distance > S(0) ? Vec3<S>(outward / distance) : outward};
-}
-
-}  // namespace
 
 /// Deviation from the talk: faces first. Their distances reject most distant spheres. If the centre
 /// projects into the nearest face, that is the closest point, at any height, with all digits of the

@@ -1,10 +1,8 @@
-#include "geometry/prefetch.h"
 #include "manifold/collide_with_triangles.h"
 #include "manifold/create_contact.h"
 #include "manifold/fast/box_on_triangles.h"
 #include "manifold/fast/clear_of_triangle.h"
 #include "manifold/round_contact.h"
-#include "query/closest_points.h"
 
 namespace contactscope {
 namespace {

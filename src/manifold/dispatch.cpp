@@ -1,6 +1,5 @@
 #include "manifold/dispatch.h"
 
-#include "geometry/prefetch.h"
 #include "manifold/collide_pairs.h"
 #include "manifold/fast/collide_box_box.h"
 #include "manifold/fast/collide_two_capsules.h"

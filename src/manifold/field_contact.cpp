@@ -93,18 +93,6 @@ class GapSearch {
   Vec3d on_core_ = Vec3d::Zero(), outward_ = Vec3d::UnitY();
 };
 
-}  // namespace
-
-FieldGap field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double limit) {
-  GapSearch search(*field.field, limit * field.per_cell);
-  for (const FieldPiece& piece : pieces) search.look_at(core_of(field, piece));
-  if (search.feature() == nullptr) return {limit};
-  return {search.best() * field.cell, field.origin + field.cell * search.on_core(),
-          search.outward(), *search.feature()};
-}
-
-namespace {
-
 /// After so many cuts the nearest piece counts as a touch: enough, if only a part is at the margin.
 constexpr int kMaxCuts = 1 << 14;
 /// Enough to settle the deepest touch, except where the shapes lie flat on each other.
@@ -334,6 +322,14 @@ class Search {
 };
 
 }  // namespace
+
+FieldGap field_gap(const PlacedField& field, std::span<const FieldPiece> pieces, double limit) {
+  GapSearch search(*field.field, limit * field.per_cell);
+  for (const FieldPiece& piece : pieces) search.look_at(core_of(field, piece));
+  if (search.feature() == nullptr) return {limit};
+  return {search.best() * field.cell, field.origin + field.cell * search.on_core(),
+          search.outward(), *search.feature()};
+}
 
 FieldTouches find_touches(const PlacedField& field, std::span<const FieldPiece> pieces,
                           const FieldSearchLimits& limits) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/static_vector.h"
 #include "manifold/dispatch.h"
 
 /// Incremental manifolds. Sources: Gregorius 2015, "Building Incremental Manifolds (1)" to (3);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/pack.h"
-#include "core/static_vector.h"
 #include "geometry/lanes.h"
 #include "geometry/mesh.h"
 #include "query/closest_points.h"

@@ -1,7 +1,6 @@
 #include "manifold/merge_triangles.h"
 
 #include "core/convex_polygon.h"
-#include "core/static_vector.h"
 #include "geometry/box_topology.h"
 #include "manifold/collide_pairs.h"
 #include "query/tolerance.h"

@@ -2,7 +2,6 @@
 
 #include <memory_resource>
 
-#include "manifold/contact.h"
 #include "manifold/dispatch.h"
 #include "manifold/recorder.h"
 

@@ -4,7 +4,6 @@
 #include "manifold/create_contact.h"
 #include "manifold/edge_contact.h"
 #include "manifold/recorder.h"
-#include "query/support_set.h"
 
 namespace contactscope {
 namespace {

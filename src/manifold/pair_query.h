@@ -3,7 +3,6 @@
 #include "geometry/bounds.h"
 #include "manifold/capabilities.h"
 #include "manifold/dispatch.h"
-#include "query/gjk.h"
 #include "query/mesh_overlap.h"
 #include "query/overlap.h"
 #include "query/v_clip.h"

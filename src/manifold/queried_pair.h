@@ -2,7 +2,6 @@
 
 #include "manifold/pair_query.h"
 #include "manifold/recorder.h"
-#include "query/support_set.h"
 
 /// The methods of query_pair(), in files of their names: in A's frame; they record in the world.
 namespace contactscope {

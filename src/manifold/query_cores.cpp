@@ -1,7 +1,5 @@
 #include "geometry/triangle_hull.h"
 #include "manifold/queried_pair.h"
-#include "query/mesh_overlap.h"
-#include "query/penetration.h"
 #include "query/tolerance.h"
 #include "query/winding.h"
 

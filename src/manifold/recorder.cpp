@@ -34,6 +34,34 @@ double worth(const trace::Choice& choice, int point) {
   return choice.rule == "triangle" ? std::abs(least) : least;
 }
 
+/// Most vertex differences for the Minkowski difference: two hulls of 64 vertices, milliseconds.
+constexpr int kMaxMinkowskiPoints = 4096;
+
+/// A result of the pipeline, in the world, as a fact.
+template <class S> trace::Point trace_point(const ContactPoint<S>& in_world) {
+  return {in_world.position.template cast<double>(), static_cast<double>(in_world.separation),
+          to_string(in_world.id)};
+}
+
+/// Compares the choice with the largest area that as many points can span.
+void measure(ContactPoints<double> points, const Vec3d& normal, int max_points,
+             trace::Reduction& reduction) {
+  const bool all_kept = reduction.kept.size() == points.size();
+  const std::vector<Vec3d> all = mapped(points, &ContactPoint<double>::position);
+  if (all_kept) {
+    reduction.area = convex_area(all, normal);
+    reduction.best_area =
+        count_of(points) <= max_points ? reduction.area : best_convex_area(all, normal, max_points);
+    return;
+  }
+  reduction.area =
+      convex_area(mapped(reduction.kept, [&](int index) { return at(all, index); }), normal);
+  reduction.best_area = best_convex_area(all, normal, max_points);
+  const KeptIndices best =
+      reduce<double>(find_reducer("optimal"), points, normal, {.max_points = max_points});
+  reduction.best.assign(best.begin(), best.end());
+}
+
 }  // namespace
 
 /// A later face must beat an earlier one by more than the tie.
@@ -149,38 +177,6 @@ void Recorder<S>::reduction_decisions(const trace::Reduction& reduction, const V
   if (over.empty()) return;
   decide("points", spell_points(took), spell_points(over)).margin_area = reduction.area - next;
 }
-
-namespace {
-
-/// Most vertex differences for the Minkowski difference: two hulls of 64 vertices, milliseconds.
-constexpr int kMaxMinkowskiPoints = 4096;
-
-/// A result of the pipeline, in the world, as a fact.
-template <class S> trace::Point trace_point(const ContactPoint<S>& in_world) {
-  return {in_world.position.template cast<double>(), static_cast<double>(in_world.separation),
-          to_string(in_world.id)};
-}
-
-/// Compares the choice with the largest area that as many points can span.
-void measure(ContactPoints<double> points, const Vec3d& normal, int max_points,
-             trace::Reduction& reduction) {
-  const bool all_kept = reduction.kept.size() == points.size();
-  const std::vector<Vec3d> all = mapped(points, &ContactPoint<double>::position);
-  if (all_kept) {
-    reduction.area = convex_area(all, normal);
-    reduction.best_area =
-        count_of(points) <= max_points ? reduction.area : best_convex_area(all, normal, max_points);
-    return;
-  }
-  reduction.area =
-      convex_area(mapped(reduction.kept, [&](int index) { return at(all, index); }), normal);
-  reduction.best_area = best_convex_area(all, normal, max_points);
-  const KeptIndices best =
-      reduce<double>(find_reducer("optimal"), points, normal, {.max_points = max_points});
-  reduction.best.assign(best.begin(), best.end());
-}
-
-}  // namespace
 
 template <class S> trace::Polygon Recorder<S>::polygon(const ClipPolygon<S>& in_a) const {
   return mapped(in_a, [&](const ClipVertex<S>& vertex) { return point(vertex.position); });

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pack.h"
 #include "geometry/shape.h"
 #include "manifold/contact.h"
 #include "query/hull_feature.h"

@@ -2,7 +2,6 @@
 
 #include "query/closest_points.h"
 #include "query/fast/point_faces.h"
-#include "query/support_set.h"
 #include "query/tolerance.h"
 
 namespace contactscope {

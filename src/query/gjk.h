@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
 #include "core/static_vector.h"
 #include "query/support_set.h"
 

@@ -1,7 +1,5 @@
 #include "query/hull_feature.h"
 
-#include "core/static_vector.h"
-
 namespace contactscope {
 namespace {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/feature_id.h"
-#include "geometry/hull.h"
 #include "query/gjk.h"
 
 /// Features of a hull, and the prism over a face, bounded by the face's side planes: Gregorius

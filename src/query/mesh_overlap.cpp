@@ -1,7 +1,5 @@
 #include "query/mesh_overlap.h"
 
-#include "core/pack.h"
-
 namespace contactscope {
 
 template <class S> bool TreeLayout::update(const AabbTree<S>& tree) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/static_vector.h"
 #include "query/penetration_bounds.h"
 
 namespace contactscope {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/vec3.h"
 #include "geometry/prefetch.h"
 
 namespace contactscope {

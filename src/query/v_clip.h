@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
 #include "query/hull_feature.h"
 
 /// The distance of two hulls by walking over their features: Mirtich 1998, "V-Clip: Fast and Robust

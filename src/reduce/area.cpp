@@ -101,19 +101,6 @@ constexpr auto reduce_by_area_from_deepest = []<class S>(const Candidates<S>& po
   return grow_from<Added::Area>(points, first, OnALine::KeepFirst, options);
 };
 
-}  // namespace
-
-std::vector<ReducerInfo> area_reducers() {
-  return {listed("area",
-                 "a support point, the farthest, the largest triangle, the most area outside it",
-                 reduce_from_support<Added::Area>),
-          listed("area_deepest", "as area, but the deepest first", reduce_by_area_from_deepest),
-          listed("distance", "as area, but the fourth is farthest from an edge",
-                 reduce_from_support<Added::Distance>)};
-}
-
-namespace {
-
 /// Both directions along two axes of the plane.
 template <class S> std::array<Vec3<S>, 4> directions_in_plane(const Vec3<S>& normal) {
   const Vec3<S> u = any_perpendicular(normal);
@@ -141,6 +128,15 @@ constexpr auto reduce_to_extremes = []<class S>(const Candidates<S>& points,
 };
 
 }  // namespace
+
+std::vector<ReducerInfo> area_reducers() {
+  return {listed("area",
+                 "a support point, the farthest, the largest triangle, the most area outside it",
+                 reduce_from_support<Added::Area>),
+          listed("area_deepest", "as area, but the deepest first", reduce_by_area_from_deepest),
+          listed("distance", "as area, but the fourth is farthest from an edge",
+                 reduce_from_support<Added::Distance>)};
+}
 
 std::vector<ReducerInfo> extremes_reducers() {
   return {listed("extremes", "extremes along two axes of the plane", reduce_to_extremes)};

@@ -1,7 +1,5 @@
 #include "reduce/optimal_ring.h"
 
-#include <cstring>
-
 namespace contactscope {
 namespace {
 

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "core/convex_polygon.h"
-#include "core/pack.h"
-#include "core/static_vector.h"
 #include "reduce/steps.h"
 
 namespace contactscope {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/pack.h"
-#include "core/static_vector.h"
 
 namespace contactscope {
 

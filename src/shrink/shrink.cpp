@@ -14,10 +14,6 @@ double rounded(double number, int digits) {
 
 constexpr int kAllDigits = 17;
 
-bool has_turned_expectation(const PairOfTwo& pair) {
-  return std::ranges::count(pair.expectation, "normal", &Setting::first) > 0;
-}
-
 class Shrinker {
  public:
   Shrinker(const PairOfTwo& start, Judge& judge,
@@ -149,7 +145,7 @@ class Shrinker {
       change(tried);
       attempt(tried);
     };
-    if (!has_turned_expectation(best_)) {
+    if (std::ranges::count(best_.expectation, "normal", &Setting::first) == 0) {
       attempt_with([&](PairOfTwo& pair) {
         const Pose<double> b_in_a = relative_pose(a, pair.b.pose());
         pair.a.position.setZero();

@@ -1,9 +1,6 @@
 #include "trace/point_names.h"
 
-#include <unordered_map>
-
 #include "core/feature_id.h"
-#include "core/pose.h"
 
 // Seen along the normal, a clipped point is where two edges cross: one edge of each shape, two
 // edges of the incident face at a vertex inside, or two of the reference face (Catto 2007,

@@ -81,13 +81,6 @@ float enlarged(const trace::Study& study) {
   return panels <= 1 ? 1.3f : panels <= 3 ? 1.15f : 1;
 }
 
-/// Replaces option names by readable names: "sweep and prune".
-trace::Study named_in_words(trace::Study study) {
-  for (trace::StudySeries& series : study.series) series.method = in_words(series.method);
-  study.signal = in_words(study.signal);
-  return study;
-}
-
 }  // namespace
 
 void draw_decades_along(const Axis& axis, const Rect& area, bool grid, const Pen& pen,
@@ -216,7 +209,9 @@ std::vector<PlotPanel> panels_on(const PlotPage& page, const trace::Study& study
 }
 
 Drawing plot(const trace::Study& measured, int width, int height) {
-  const trace::Study study = named_in_words(measured);
+  trace::Study study = measured;  // with readable names of options: "sweep and prune"
+  for (trace::StudySeries& series : study.series) series.method = in_words(series.method);
+  study.signal = in_words(study.signal);
   if (study.form == trace::StudyForm::Curves) return plot_curves(study, width, height);
   if (study.form == trace::StudyForm::Bars) return plot_bars(study, width, height);
   if (study.form == trace::StudyForm::Map) return plot_map(study, width, height);

@@ -35,11 +35,8 @@ struct ContactMoment {
   std::optional<double> time{};  // seconds, if known
 };
 
-/// Metres: smaller differences between the separations of a patch's points count as equal, because
-/// the rounding of positions in float is as large.
-double separation_noise(const std::vector<trace::Point>& points);
-
-/// Points of least separation, with ties within that noise. Empty for a level patch.
+/// Points of least separation, with ties within the rounding of positions in float. Empty for a
+/// level patch.
 std::vector<int> deepest_points(const std::vector<trace::Point>& points);
 
 /// From explorations of a pair, frames in order: a cell for each reducer, in `order`.

@@ -31,6 +31,19 @@ std::vector<ContactCell::Row> rows_of(const trace::ReducerAnswer& answer) {
   return rows;
 }
 
+// Relative to the largest coordinate: sixteen units in the last place of a float.
+constexpr double kNoise = 16 * 1.1920929e-7;
+
+/// Metres: smaller differences between the separations of a patch's points count as equal, because
+/// the rounding of positions in float is as large.
+double separation_noise(const std::vector<trace::Point>& points) {
+  double largest = 0;
+  for (const trace::Point& point : points)
+    largest = std::max({largest, point.position.cwiseAbs().maxCoeff(),
+                        (point.position - points.front().position).norm()});
+  return kNoise * largest;
+}
+
 std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   const bool has_best = reduction.best_area > 0;
   const std::string area = spell_area(reduction.area);
@@ -52,18 +65,7 @@ std::vector<ContactCell::Row> rows_of(const trace::Reduction& reduction) {
   return rows;
 }
 
-// Relative to the largest coordinate: sixteen units in the last place of a float.
-constexpr double kNoise = 16 * 1.1920929e-7;
-
 }  // namespace
-
-double separation_noise(const std::vector<trace::Point>& points) {
-  double largest = 0;
-  for (const trace::Point& point : points)
-    largest = std::max({largest, point.position.cwiseAbs().maxCoeff(),
-                        (point.position - points.front().position).norm()});
-  return kNoise * largest;
-}
 
 std::vector<int> deepest_points(const std::vector<trace::Point>& points) {
   const auto [least, most] = std::ranges::minmax_element(points, {}, &trace::Point::separation);

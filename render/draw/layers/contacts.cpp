@@ -273,15 +273,12 @@ Vec3d leftmost_of(const trace::Pair& pair, const Vec3d& left) {
   return std::ranges::max_element(points, {}, how_far)->point->position;
 }
 
-/// Whether layer Core writes the pair's overlap, in its sum of margins.
-bool is_in_sum(const Scene& scene, const trace::Pair& pair) {
-  return scene.shows(Layer::Core) && pair.incremental && pair.gjk && pair.gjk->distance > 0 &&
-         pair.incremental->margin_a + pair.incremental->margin_b > 0;
-}
-
 /// Labels the pair's overlap at its deepest point.
 void draw_overlap(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {
-  if (is_in_sum(scene, pair)) return;
+  // Layer Core writes it, in its sum of margins.
+  if (scene.shows(Layer::Core) && pair.incremental && pair.gjk && pair.gjk->distance > 0 &&
+      pair.incremental->margin_a + pair.incremental->margin_b > 0)
+    return;
   const std::optional<PairPoint> deepest = deepest_of(scene, pair);
   if (!deepest) return draw_least_gap(scene, pair, sketch);
   const Vec3d left = -scene.camera.right();

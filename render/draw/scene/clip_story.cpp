@@ -54,6 +54,32 @@ using Vertices = std::vector<trace::SimplexVertex>;
 
 constexpr double kAlongTheNormal = 0.999;  // cosine: the face that made the contact
 
+/// Hatches a convex polygon in its plane; `pixels` is the line spacing on the screen.
+void hatch_in_space(const Camera& camera, const trace::Polygon& polygon, double pixels,
+                    const LineStyle& style, Sketch& sketch) {
+  if (polygon.size() < 3) return;
+  const Vec3d middle = mean_of(polygon);
+  const Vec3d normal = newell_normal(polygon).normalized();
+  const Vec3d edge = (polygon[1] - polygon[0]).normalized();
+  const Vec3d along = std::cos(kHatchTurn) * edge + std::sin(kHatchTurn) * normal.cross(edge);
+  const Vec3d across = normal.cross(along);
+  const double spacing = pixels / camera.pixels_per_metre(middle);
+  double least = 1e300, most = -1e300;
+  for (const Vec3d& p : polygon) {
+    least = std::min(least, across.dot(p - middle));
+    most = std::max(most, across.dot(p - middle));
+  }
+  for (double at = (std::floor(least / spacing) + 0.5) * spacing; at < most; at += spacing) {
+    std::vector<Vec3d> ends;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec3d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      const double at_p = across.dot(p - middle) - at, at_q = across.dot(q - middle) - at;
+      if ((at_p < 0) != (at_q < 0)) ends.push_back(zero_between(p, q, at_p, at_q));
+    }
+    if (ends.size() == 2) sketch.line(ends[0], ends[1], style);
+  }
+}
+
 }  // namespace
 
 bool has_clip_story(const Scene& scene, const trace::Pair& pair) {
@@ -97,31 +123,6 @@ trace::Polygon cut_away(const trace::Clip& clip, std::size_t step) {
   const bool any = std::ranges::any_of(
       outside, [&](const Vec3d& p) { return plane.normal.dot(p) - plane.offset > tolerance; });
   return any && outside.size() > 2 ? outside : trace::Polygon{};
-}
-
-void hatch_in_space(const Camera& camera, const trace::Polygon& polygon, double pixels,
-                    const LineStyle& style, Sketch& sketch) {
-  if (polygon.size() < 3) return;
-  const Vec3d middle = mean_of(polygon);
-  const Vec3d normal = newell_normal(polygon).normalized();
-  const Vec3d edge = (polygon[1] - polygon[0]).normalized();
-  const Vec3d along = std::cos(kHatchTurn) * edge + std::sin(kHatchTurn) * normal.cross(edge);
-  const Vec3d across = normal.cross(along);
-  const double spacing = pixels / camera.pixels_per_metre(middle);
-  double least = 1e300, most = -1e300;
-  for (const Vec3d& p : polygon) {
-    least = std::min(least, across.dot(p - middle));
-    most = std::max(most, across.dot(p - middle));
-  }
-  for (double at = (std::floor(least / spacing) + 0.5) * spacing; at < most; at += spacing) {
-    std::vector<Vec3d> ends;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec3d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-      const double at_p = across.dot(p - middle) - at, at_q = across.dot(q - middle) - at;
-      if ((at_p < 0) != (at_q < 0)) ends.push_back(zero_between(p, q, at_p, at_q));
-    }
-    if (ends.size() == 2) sketch.line(ends[0], ends[1], style);
-  }
 }
 
 void draw_clip_story(const Scene& scene, const trace::Pair& pair, Sketch& sketch) {

@@ -36,10 +36,6 @@ trace::Polygon cut_away(const trace::Clip& clip, std::size_t step);
 /// and a heading that describes the step.
 void draw_clip_story(const Scene& scene, const trace::Pair& pair, Sketch& sketch);
 
-/// Hatches a convex polygon in its plane; `pixels` is the line spacing on the screen.
-void hatch_in_space(const Camera& camera, const trace::Polygon& polygon, double pixels,
-                    const LineStyle& style, Sketch& sketch);
-
 /// State of the algorithm in the Minkowski difference, as a frame shows it.
 struct SimplexStep {
   enum class Of { Gjk, Epa, Mpr } of = Of::Gjk;

@@ -18,12 +18,6 @@ constexpr double kBorder = 1.2e-3, kSmallBorder = 0.011;
 constexpr int kLongitudes = 48, kSmallLongitudes = 16;
 constexpr double kLatitudeStep = 7.5 * kPi / 180, kSmallLatitudeStep = 24 * kPi / 180;
 
-/// Cosines and sines of the steps around the outline of a small body.
-const std::vector<Vec2d>& small_circle() {
-  static const std::vector<Vec2d> small = circle(kSmallOutlineSteps);
-  return small;
-}
-
 // The unit normals with n . towards >= least.
 struct NormalCap {
   Vec3d towards;  // unit
@@ -34,7 +28,8 @@ struct NormalCap {
   std::vector<Vec3d> border() const {
     const Vec3d u = any_perpendicular(towards), v = towards.cross(u);
     const double across = std::sqrt(std::max(0.0, 1 - least * least));
-    return mapped(small_circle(), [&](const Vec2d& at) -> Vec3d {
+    static const std::vector<Vec2d> small = circle(kSmallOutlineSteps);
+    return mapped(small, [&](const Vec2d& at) -> Vec3d {
       return least * towards + across * (at.x() * u + at.y() * v);
     });
   }

@@ -61,14 +61,10 @@ double luminance(const Color& color) {
 
 bool is_white(const Color& color) { return color.r >= 1 && color.g >= 1 && color.b >= 1; }
 
-double least_contrast(ColorUse use) {
-  return use == ColorUse::Text ? kTextContrast : kLineContrast;
-}
-
 /// Changes the lightness in steps until the contrast is sufficient or the limit is reached.
 Oklab made_to_stand_out(Oklab lab, ColorUse use, const Color& ground, double step) {
-  while (contrast(to_color(lab, 1), ground) < least_contrast(use) && lab.l + step > 0 &&
-         lab.l + step < 1)
+  const double least = use == ColorUse::Text ? kTextContrast : kLineContrast;
+  while (contrast(to_color(lab, 1), ground) < least && lab.l + step > 0 && lab.l + step < 1)
     lab.l += step;
   return lab;
 }

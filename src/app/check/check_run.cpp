@@ -358,17 +358,13 @@ ScenarioOutcome checked(Checker& checker, Input& input) {
   }
 }
 
-void require_folder(const Options& options) {
-  if (fs::is_directory(options.snapshot_root) || options.update != snapshot::Update::None) return;
-  throw InputError(options.snapshot_root, 0, 0,
-                   "there is no such folder of snapshots; change to its parent folder, give "
-                   "another with --snapshots DIR, or create it with check --write-missing");
-}
-
 }  // namespace
 
 snapshot::Outcome run_check(std::vector<Input>& inputs, const Options& options) {
-  require_folder(options);
+  if (!fs::is_directory(options.snapshot_root) && options.update == snapshot::Update::None)
+    throw InputError(options.snapshot_root, 0, 0,
+                     "there is no such folder of snapshots; change to its parent folder, give "
+                     "another with --snapshots DIR, or create it with check --write-missing");
   snapshot::ReportFolder report(options.out, report_folder(options).filename().string());
   Checker checker(options, report);
   snapshot::Outcome outcome{options.snapshot_root, options.facts_only, options.shard};

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstring>
-
-#include "manifold/collide_options.h"
-#include "manifold/contact.h"
 #include "manifold/contact_depth.h"
 #include "manifold/fast/clip_rectangle.h"
 #include "query/fast/box_edges.h"

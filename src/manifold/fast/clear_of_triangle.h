@@ -1,8 +1,5 @@
 #pragma once
 
-#include "core/static_vector.h"
-#include "geometry/hull.h"
-#include "geometry/lanes.h"
 #include "geometry/mesh.h"
 #include "query/fast/packed_vectors.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/hull.h"
 #include "manifold/pair_cache.h"
 
 namespace contactscope {

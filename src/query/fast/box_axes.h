@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstring>
-
 #include "core/three.h"
 #include "geometry/obb.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/box_topology.h"
 #include "geometry/mesh.h"
 #include "query/fast/packed_vectors.h"
 #include "query/sat.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/static_vector.h"
 #include "query/fast/lane_search.h"
 #include "query/sat.h"
 
