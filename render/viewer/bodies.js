@@ -232,8 +232,8 @@ class Bodies {
     return this.isCut.some((isCut, body) => isCut && (data.shapes[body].faces || []).length);
   }
 
-  /** Opens a window to the smaller of the bodies, at their contacts if there are any in the record. `middle`: the subject if there are none. */
-  open(chosen, record, middle) {
+  /** Opens a window to the smaller of the bodies, at their contacts if there are any in the record, or at a `place`. `middle`: the subject if there are none. */
+  open(chosen, record, middle, place) {
     const body = this.bySize(chosen)[0], at = [];
     windowed.value.set(0, 0, 0, 0);
     this.subject.value.copy(middle);
@@ -247,6 +247,7 @@ class Bodies {
       }
     if (!isOpen) return;
     if (record >= 0) eachPoint(record, i => at.push(point3(positionOf(i))));
+    if (!at.length && place) at.push(point3(place));
     this.subject.value.copy(at.length ? at.reduce((sum, one) => sum.add(one), new THREE.Vector3()).divideScalar(at.length) : point3(this.sphere(body)));
     const far = this.outline(chosen, -1).reduce((most, [x, y, z, radius]) => Math.max(most, this.subject.value.distanceTo(new THREE.Vector3(x, y, z)) + radius), 0);
     windowed.value.set(...this.subject.value.toArray(), Math.min(far, 1.6 * this.size));

@@ -87,7 +87,7 @@ class Layers {
         if (far < least) [least, nearest] = [far, { at: positionOf(i), point: i, normal, text: 'lint: ' + pointName(i, m, record) }];
       });
       if (nearest && (!at || least < 0.02 * bodies.size)) return nearest;
-      return { at: at || (body === undefined ? null : bodies.sphere(body).slice(0, 3)), text: 'lint' };
+      return { at: at || (body === undefined ? null : bodies.sphere(body).slice(0, 3)), text: 'lint' + (both.length === 1 ? ': ' + data.shapes[body].name : '') };
     }).filter(mark => mark.at);
   }
 

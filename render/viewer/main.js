@@ -110,7 +110,7 @@ async function start() {
     bodies.place(frame);
     if (view === 'all') Object.assign(orbit, viewOfAll(frame));
     const { flown, middle } = (bodies.heap(frame), bodies);
-    bodies.open(chosen(), recordOfSelection(), middle);
+    bodies.open(chosen(), recordOfSelection(), middle, finding?.marked[frame].find(mark => mark.at)?.at);
     bodies.draw(state.on.has('shapes'), new Set(chosen()));
     labels = layers.draw(frame, state.on, selection, foundRecords, finding);
     facts.show(selection, frame, finding);
@@ -316,6 +316,9 @@ async function start() {
 
   // ---- The link's hash
 
+  /** The index of a frame, or of the last one before it. */
+  const nearestFrame = frame => Math.max(0, data.frames.findLastIndex(one => one <= frame));
+
   function hash() {
     const words = new URLSearchParams({ frame: data.frames[state.frame] }), { body, pair, point } = state.selection || {}, on = [...state.on].join();
     const all = { body: body !== undefined && data.shapes[body].name, pair: pair !== undefined && JSON.stringify(namesOf(pair)), point, layers: on !== usual && (on || 'none'),
@@ -330,7 +333,7 @@ async function start() {
   function read() {
     const words = new URLSearchParams(location.hash.slice(1)), get = name => words.get(name) || '', camera = get('camera').split(',').map(Number);
     const body = data.shapes.findIndex(shape => shape.name === get('body')), pair = data.pairs.findIndex((_, i) => JSON.stringify(namesOf(i)) === get('pair'));
-    Object.assign(state, { theme: ['light', 'dark'].includes(get('theme')) ? get('theme') : '', frame: words.has('frame') ? Math.max(0, data.frames.indexOf(Number(get('frame')))) : best, finding: Number(get('finding')) - 1,
+    Object.assign(state, { theme: ['light', 'dark'].includes(get('theme')) ? get('theme') : '', frame: words.has('frame') ? nearestFrame(Number(get('frame'))) : best, finding: Number(get('finding')) - 1,
       selection: body >= 0 ? { body } : pair < 0 ? null : get('point') ? { pair, point: get('point') } : { pair },
       on: new Set((get('layers') || usual).split(',')), follow: body >= 0 && get('follow') ? body : -1 });
     if (data.camera) orbit.lookFrom(data.camera.forward.map(x => -x));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/trace_file.h"
+#include "view/view.h"
 
 namespace contactscope::app {
 
