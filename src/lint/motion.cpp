@@ -138,12 +138,13 @@ class MotionWatch final : public Watch {
         if (std::abs(weights[axis]) > 0.95 * weights.norm())
           at(rests_, axis).add(weights[axis], frames.now->line, frames.now->frame, body.name);
       weights_.add(weights.dot(up_), frames.now->line, frames.now->frame, body.name);
+      const Balance::Missing* const missing = frames.balance->missing(body.name);
+      const bool is_judged = missing && !missing->was_off;
+      flicker_.of += !is_judged;
+      if (!is_judged && jumps(frames, body, in_a_step))
+        see_flicker(frames, body.name, load->impulse, earlier->impulse, 1);
       steps_ = frames.now->solver->substeps;
       step_ = step;
-      if (frames.balance->missing(body.name)) continue;  // see_drops()
-      ++flicker_.of;
-      if (jumps(frames, body, in_a_step))
-        see_flicker(frames, body.name, load->impulse, earlier->impulse, 1);
     }
   }
 
