@@ -42,6 +42,7 @@ const Load* known_load(const Loads& loads, const std::string& body) {
 
 void Balance::see(const Solids& solids, const Moments& frames) {
   missing_.clear();
+  const std::set<std::string> were_off = std::exchange(off_, {});
   before = std::move(now);
   now = frames.before == nullptr ? loads_of(solids, *frames.now) : std::move(after);
   if (frames.before == nullptr) before.clear();
@@ -73,7 +74,9 @@ void Balance::see(const Solids& solids, const Moments& frames) {
     const bool are_twice =
         load != now.end() && load->second.once != load->second.impulse &&
         (impulse + load->second.impulse - load->second.once).norm() <= kBalanced * weight + damped;
-    missing_[body.name] = {impulse, is_impact || are_twice ? 0 : share};
+    missing_[body.name] = {impulse, is_impact || are_twice ? 0 : share,
+                           were_off.contains(body.name)};
+    if (share > Missing::kOff) off_.insert(body.name);
     if (load == now.end()) continue;
     ++count_, balanced_ += impulse.norm() <= kBalanced * weight + damped;
   }

@@ -29,8 +29,9 @@ class Balance {
   void see(const Solids& solids, const Moments& frames);
 
   struct Missing {
-    Vec3d impulse;     // N s, world
-    double share = 0;  // of weight and contacts, beyond damping; 0 in an impact
+    Vec3d impulse;         // N s, world
+    double share = 0;      // of weight and contacts, beyond damping; 0 in an impact
+    bool was_off = false;  // in the frame before, even if that was an impact: maybe of a joint
 
     static constexpr double kOff = 0.05;  // more is no rounding
     bool is_off() const { return share > kOff; }
@@ -45,6 +46,7 @@ class Balance {
  private:
   Vec3d up_;
   std::map<std::string, Missing> missing_;
+  std::set<std::string> off_;     // bodies that are off, even in an impact
   int count_ = 0, balanced_ = 0;  // bodies with contacts, of all frames
 };
 

@@ -206,8 +206,10 @@ class ContactsWatch final : public Watch {
     return best;
   }
 
-  /// A lost pair is measured as a whole, wherever it touches.
-  static double rest_of(const LostSpot& lost) { return lost.points == 0 ? kPairAtRest : kAtRest; }
+  /// A lost pair is measured as a whole, wherever it touches; a missing impulse shows a lost point.
+  static double rest_of(const LostSpot& lost) {
+    return lost.points == 0 || lost.is_missed ? kPairAtRest : kAtRest;
+  }
 
   /// Whether a point was about as close while it was not reported as before or after, and clearly
   /// within the separations up to which the engine reports contacts.
@@ -276,7 +278,7 @@ class ContactsWatch final : public Watch {
     const auto lacks = [&](const std::string& name, const Vec3d& of_lost) {
       constexpr double kAbout = 0.5;
       const Balance::Missing* const one = frames.balance->missing(solids.body_of(name));
-      return one && one->is_off() &&
+      return one && one->is_off() && !one->was_off &&
              (one->impulse - of_lost).norm() <= kAbout * one->impulse.norm();
     };
     const bool is_missed = lacks(std::get<0>(key), -impulse) || lacks(std::get<1>(key), impulse);
@@ -309,6 +311,17 @@ class ContactsWatch final : public Watch {
     const bool is_undone = now != nullptr && is_back(*now, *jump);
     if (!is_undone && ++jump->frames > kMaxGap) jump.reset();
     return is_undone;
+  }
+
+  /// Whether the next frame has a jump too: then it may stay, and its claims are judged.
+  template <class Differ>
+  static bool lasts(const Moments& frames, const Placement& at, const trace::Pair& pair,
+                    const Jump& jump, const Differ& differ) {
+    const trace::Pair* const after = frames.after ? same_pair(*frames.after, pair) : nullptr;
+    if (after == nullptr) return false;
+    const std::vector<Spot> spots = spots_of(at, *after);
+    const Spot* const next = same_place(spots, jump.then, kOnePoint * at.size, true);
+    return next != nullptr && differ(*next, jump.then) < differ(*next, jump.before);
   }
 
   /// Changes of separations and normals that the poses do not explain, and that are undone.
@@ -384,9 +397,12 @@ class ContactsWatch final : public Watch {
     const bool is_first = depth && !is_back && !known.depth;
     if (is_first) known.depth = depth;
     if (normal && !is_turned_back && !known.normal) known.normal = normal;
-    if (normal && !is_turned_back)
+    const auto by = [](const Spot& one, const Spot& two) {
+      return std::abs(one.reported - two.reported);
+    };
+    if (normal && !is_turned_back && !lasts(frames, at, pair, *normal, &angle))
       (*frames.explained)[&pair] = Explained::Wholly;
-    else if (is_first)
+    else if (is_first && !lasts(frames, at, pair, *depth, by))
       frames.explained->try_emplace(&pair, Explained::ButForSigns);
   }
 

@@ -19,12 +19,10 @@ class IdsWatch final : public Watch {
  public:
   void see(const Solids& solids, const Moments& frames) override {
     for (const trace::Pair& pair : frames.now->pairs) see_alike(frames, pair);
-    if (frames.before == nullptr) return;
+    if (frames.before == nullptr) return earlier_.clear();
     for (const trace::Pair& pair : frames.now->pairs) {
-      const auto before = std::ranges::find_if(frames.before->pairs, [&](const trace::Pair& other) {
-        return other.a == pair.a && other.b == pair.b && other.label == pair.label;
-      });
-      if (before == frames.before->pairs.end()) continue;
+      const trace::Pair* const before = same_pair(*frames.before, pair);
+      if (before == nullptr) continue;
       const std::multiset<std::string> ids = trace::point_ids(pair),
                                        old = trace::point_ids(*before);
       if (ids.empty() || ids.size() != old.size() || !stands_still(solids, frames, pair)) continue;
@@ -38,7 +36,16 @@ class IdsWatch final : public Watch {
         see_swapped(frames, pair, *before, near);
         continue;
       }
-      changed_.wrong(frames, pair.a, pair.b, [&] {
+      // No point keeps its id. If all have their earlier ones again, nothing changed in between.
+      std::vector<std::string> kept;
+      std::ranges::set_intersection(ids, old, std::back_inserter(kept));
+      constexpr int kLongest = 10;  // frames
+      Earlier& earlier = earlier_[{pair.a, pair.b, pair.label}];
+      const bool is_back =
+          kept.empty() && ids == earlier.ids && frames.now->frame <= earlier.frame + kLongest;
+      earlier = {old, frames.now->frame};
+      const Mark mark{frames.now->frame, frames.now->line, pair.a, pair.b};
+      changed_.wrong_at(mark, frames, is_back ? 1 : 0, [&] {
         std::vector<std::string> now, then;
         std::ranges::set_difference(ids, old, std::back_inserter(now));
         std::ranges::set_difference(old, ids, std::back_inserter(then));
@@ -50,16 +57,22 @@ class IdsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
+    constexpr int kRepeats = 10;
     alike_.report(findings, "points of a manifold have the same id",
                   "name each point by the features that make it, or leave 'id' out: solvers warm "
                   "start from the point with the same id");
     changed_.report(findings, "ids change while nothing moves",
                     "name each point by the features that make it, not by its index or address: "
                     "solvers warm start from the point with the same id",
-                    1, 0.002);
+                    1, 0.002, kRepeats);
   }
 
  private:
+  struct Earlier {
+    std::multiset<std::string> ids;  // before they changed
+    int frame = 0;                   // in which they changed
+  };
+
   /// For manifolds with several points.
   void see_alike(const Moments& frames, const trace::Pair& pair) {
     for (const trace::Manifold& manifold : pair.manifolds) {
@@ -118,6 +131,7 @@ class IdsWatch final : public Watch {
     return true;
   }
 
+  std::map<std::tuple<std::string, std::string, std::string>, Earlier> earlier_;  // a, b, label
   Tally changed_{"ids_change"}, alike_{"ids_alike", "manifolds"};
 };
 

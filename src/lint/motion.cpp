@@ -138,7 +138,8 @@ class MotionWatch final : public Watch {
         if (std::abs(weights[axis]) > 0.95 * weights.norm())
           at(rests_, axis).add(weights[axis], frames.now->line, frames.now->frame, body.name);
       weights_.add(weights.dot(up_), frames.now->line, frames.now->frame, body.name);
-      const bool is_judged = frames.balance->missing(body.name) && !off_.contains(body.name);
+      const Balance::Missing* const missing = frames.balance->missing(body.name);
+      const bool is_judged = missing && !missing->was_off;
       flicker_.of += !is_judged;
       if (!is_judged && jumps(frames, body, in_a_step))
         see_flicker(frames, body.name, load->impulse, earlier->impulse, 1);
@@ -150,20 +151,17 @@ class MotionWatch final : public Watch {
   /// The contacts of a body carry less or more than in the frame before, and its motion shows that
   /// this is not so. A force that is no contact's changes the motion instead.
   void see_drops(const Balance& balance, const Moments& frames) {
-    std::set<std::string> off;
     for (const auto& [body, one] : balance.all()) {
       flicker_.of += balance.missing(body) != nullptr;
       if (!balance.is_off(body)) continue;
-      off.insert(body);
       const Load *const then = known_load(balance.before, body), *const now =
                                                                      known_load(balance.now, body);
-      if (then == nullptr || off_.contains(body)) continue;
+      if (then == nullptr || one.was_off) continue;
       const Vec3d carried = now == nullptr ? Vec3d(Vec3d::Zero()) : now->impulse;
       constexpr double kAbout = 0.5, kLargeShare = 0.25;  // Bullet forgets a point now and then
       if ((then->impulse - carried - one.impulse).norm() > kAbout * one.impulse.norm()) continue;
       see_flicker(frames, body, carried, then->impulse, one.share > kLargeShare ? one.share : 0);
     }
-    off_ = std::move(off);
   }
 
   void see_flicker(const Moments& frames, const std::string& body, const Vec3d& now,
@@ -306,7 +304,6 @@ class MotionWatch final : public Watch {
   std::string up_name_;
   std::array<Samples, 3> falls_, rests_;
   Samples weights_, densities_;
-  std::set<std::string> off_;  // bodies that lacked an impulse in the frame before
   Tally flicker_{"impulses_flicker", "poses"};
   int steps_ = 0;
   double step_ = 1;

@@ -46,7 +46,7 @@ class OverlapsWatch final : public Watch {
   void see(const Solids& solids, const Moments& frames) override {
     options_ = frames.options;
     std::set<Names> record;
-    touched_.clear(), held_.clear();
+    touched_.clear(), held_.clear(), pushes_.clear();
     for (const trace::Pair& pair : frames.now->pairs)
       for (const trace::Manifold& manifold : pair.manifolds) {
         const std::string &a = solids.body_of(pair.a), &b = solids.body_of(pair.b);
@@ -80,6 +80,12 @@ class OverlapsWatch final : public Watch {
         const Names names = std::minmax(*boxes[i].second, *boxes[j].second);
         if (!record.contains(names)) look(solids, frames, names, untold_);
       }
+    for (const auto& [body, one] : frames.balance->all()) {
+      if (!frames.balance->is_off(body)) continue;
+      ++off_[body].first;
+      off_[body].second += std::ranges::none_of(
+          pushes_[body], [&](const Vec3d& push) { return acts_along(one.impulse, push); });
+    }
   }
 
   void report(std::vector<Finding>& findings) override {
@@ -96,6 +102,7 @@ class OverlapsWatch final : public Watch {
              (deep_.contains(one.first) && !hanging_.contains(one.first));
     });
     std::erase_if(lacking_, [](const auto& one) { return one.second.count < kResting; });
+    erase_forced();
     for (auto& [names, one] : lacking_) {
       one.count = std::max(one.count, resting_[names].count);
       resting_[names] = one;
@@ -132,12 +139,18 @@ class OverlapsWatch final : public Watch {
     const double size = std::min({a->size(), b->size(), 1e6});
     if (overlap > 4 * solids.allowed_for(*a, *b) && !(&list == &untold_ && is_asleep))
       list[names].add(frames, overlap, tolerance, size);
-    if (both_still || solids.body_of(names.first) == solids.body_of(names.second)) return;
+    const std::string &of_a = bodies_[names.first] = solids.body_of(names.first),
+                      &of_b = bodies_[names.second] = solids.body_of(names.second);
+    if (both_still || of_a == of_b) return;
     if (&list == &untold_ && overlap > -tolerance &&
         lacks_contact(solids, *frames.balance, names, separation->normal)) {
       Missing& lacking = lacking_[names];
       if (lacking.count < kResting && frames.now->frame > lacking.last + 1) lacking = {};
       lacking.add(frames, overlap, tolerance, size, true);
+    }
+    if (&list == &untold_ && overlap > -tolerance) {
+      pushes_[of_a].push_back(-separation->normal);
+      pushes_[of_b].push_back(separation->normal);
     }
     constexpr double kMinimum = 1e-6, kUpright = 0.5;
     const double reach = a->pose.position.norm() + b->pose.position.norm();
@@ -159,9 +172,33 @@ class OverlapsWatch final : public Watch {
     const Balance::Missing *const on_a = balance.missing(a), *const on_b = balance.missing(b);
     const Vec3d from_a = on_a == nullptr ? on_b->impulse : Vec3d(-on_a->impulse);
     const Vec3d impulse = on_b == nullptr ? from_a : on_b->impulse;
-    constexpr double kOpposite = 0.1, kAlong = 0.5;
-    return (from_a - impulse).norm() <= kOpposite * impulse.norm() &&
-           (normal.isZero() || normal.dot(impulse) > kAlong * impulse.norm());
+    constexpr double kOpposite = 0.1;
+    return (from_a - impulse).norm() <= kOpposite * impulse.norm() && acts_along(impulse, normal);
+  }
+
+  static bool acts_along(const Vec3d& impulse, const Vec3d& normal) {
+    constexpr double kAlong = 0.5;
+    return normal.isZero() || normal.dot(impulse) > kAlong * impulse.norm();
+  }
+
+  /// A joint also pulls, and across. Where no contact explains what a body lacks, none is missing at
+  /// the bodies that are joined to it.
+  void erase_forced() {
+    std::set<std::string> forced;
+    for (const auto& [body, frames] : off_)
+      if (frames.second >= kResting && 2 * frames.second > frames.first) forced.insert(body);
+    for (std::size_t known = 0; known != forced.size();) {
+      known = forced.size();
+      for (List* const list : {&resting_, &lacking_})
+        std::erase_if(*list, [&](const auto& one) {
+          const std::array of_pair = {bodies_.at(one.first.first), bodies_.at(one.first.second)};
+          const auto is_forced = [&](const std::string& body) { return forced.contains(body); };
+          if (std::ranges::none_of(of_pair, is_forced)) return false;
+          for (const std::string& body : of_pair)
+            if (off_.contains(body)) forced.insert(body);  // not a static one
+          return true;
+        });
+    }
   }
 
   /// Whether nothing is reported that holds a body, and it does not fall.
@@ -197,6 +234,11 @@ class OverlapsWatch final : public Watch {
   std::set<Names> with_contacts_;
   // Bodies that have a contact in this frame, and those that one pushes up.
   std::set<std::string> touched_, held_;
+  // Directions in which contacts that are not reported may push a body, in this frame.
+  std::map<std::string, std::vector<Vec3d>> pushes_;
+  // Frames in which a body lacks an impulse, and those in which no contact explains it.
+  std::map<std::string, std::pair<int, int>> off_;
+  std::map<std::string, std::string> bodies_;  // by shape
   List separation_, untold_, resting_;
   List lacking_;  // pairs of bodies that move as if they had a contact that is not reported
   std::set<Names> hanging_;  // pairs without a contact of a body that nothing else holds

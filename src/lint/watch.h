@@ -48,6 +48,14 @@ inline std::string metres(double length) { return shown(length) + " m"; }
 /// "[0, 1, 0]".
 std::string spelled(const Vec3d& vector);
 
+/// The same pair in another frame; null if it is not there.
+inline const trace::Pair* same_pair(const trace::Frame& frame, const trace::Pair& pair) {
+  const auto found = std::ranges::find_if(frame.pairs, [&](const trace::Pair& other) {
+    return other.a == pair.a && other.b == pair.b && other.label == pair.label;
+  });
+  return found == frame.pairs.end() ? nullptr : &*found;
+}
+
 /// An evenly spaced subset of a sequence of any length: up to kMax, and at least half as many.
 template <class T, std::size_t kMax> class Thinned {
  public:
