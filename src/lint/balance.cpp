@@ -70,7 +70,7 @@ void Balance::see(const Solids& solids, const Moments& frames) {
     const bool is_impact = change.norm() > fall.norm();
     const double carried = load == now.end() ? 0 : load->second.impulse.norm();
     const double share = std::max(impulse.norm() - damped, 0.0) / (weight + carried);
-    // Of points that are there twice, the second one is the fault.
+    // If a point is there twice, the second one is the fault.
     const bool are_twice =
         load != now.end() && load->second.once != load->second.impulse &&
         (impulse + load->second.impulse - load->second.once).norm() <= kBalanced * weight + damped;

@@ -149,17 +149,20 @@ class MotionWatch final : public Watch {
   }
 
   /// The contacts of a body carry less or more than in the frame before, and its motion shows that
-  /// this is not so. A force that is no contact's changes the motion instead.
+  /// this is not so; in the next frame it is as before. A force that is no contact's changes the
+  /// motion instead, and a joint keeps what it takes over.
   void see_drops(const Balance& balance, const Moments& frames) {
     for (const auto& [body, one] : balance.all()) {
       flicker_.of += balance.missing(body) != nullptr;
       if (!balance.is_off(body)) continue;
       const Load *const then = known_load(balance.before, body), *const now =
                                                                      known_load(balance.now, body);
-      if (then == nullptr || one.was_off) continue;
+      const Load* const after = known_load(balance.after, body);
+      if (then == nullptr || after == nullptr || one.was_off) continue;
       const Vec3d carried = now == nullptr ? Vec3d(Vec3d::Zero()) : now->impulse;
       constexpr double kAbout = 0.5, kLargeShare = 0.25;  // Bullet forgets a point now and then
       if ((then->impulse - carried - one.impulse).norm() > kAbout * one.impulse.norm()) continue;
+      if ((after->impulse - then->impulse).norm() > kAbout * one.impulse.norm()) continue;
       see_flicker(frames, body, carried, then->impulse, one.share > kLargeShare ? one.share : 0);
     }
   }
@@ -185,11 +188,11 @@ class MotionWatch final : public Watch {
     if (before == nullptr || after == nullptr || earlier == nullptr ||
         (body.velocity - earlier->velocity).norm() > kAlike * in_a_step)
       return false;
-    constexpr double kLeast = 0.7;  // less may go from one normal to another
+    constexpr double kMin = 0.7;  // less may go from one normal to another
     return std::ranges::all_of(std::array{&Load::impulse, &Load::once}, [&](auto impulse) {
       const Vec3d& then = before->*impulse;
       const double jump = (now->*impulse - then).norm();
-      return jump > kLeast * std::max((now->*impulse).norm(), then.norm()) &&
+      return jump > kMin * std::max((now->*impulse).norm(), then.norm()) &&
              (after->*impulse - then).norm() < jump / 4;
     });
   }
