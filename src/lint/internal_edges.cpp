@@ -111,7 +111,8 @@ class InternalEdgesWatch final : public Watch {
             surface_around(*mesh, placed->pose.inverse_transform(point.position), reach, outward),
             outward);
         const double lean = angle_between(allowed, outward);
-        if (!(lean > kLeaning)) continue;
+        // Before it touches, a curved surface may have another direction.
+        if (!(lean > (point.separation > tolerance ? 3 * kLeaning : kLeaning))) continue;
         frames.explained->try_emplace(&pair, Explained::ButForSigns);
         // By the lean to about ten degrees, then by the impulse along the surface.
         const double worst = 1 + std::floor(6 * lean) + 1 - 1 / (1 + std::sin(lean) * impulse);

@@ -99,7 +99,7 @@ std::vector<Method> methods() {
     list.push_back({"float, " + method.name, method.in_float, nullptr});
   for (const Method& method : in_both)
     list.push_back({"double, " + method.name, nullptr, method.in_double});
-  list.push_back({"all pairs of edges", test_all_pairs<float>, nullptr});
+  list.push_back({"float, all pairs of edges", test_all_pairs<float>, nullptr});
   return list;
 }
 

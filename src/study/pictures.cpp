@@ -48,8 +48,8 @@ const std::vector<Kept> kBoxPaths = {{"by the path of any hulls", "as a general 
 const std::vector<Kept> kVolumes = {{"axis-aligned boxes (AABBs)", "AABB, 24 bytes a node"},
                                     {"oriented boxes (OBBs)", "OBB, 60 bytes a node"},
                                     {"k-DOPs (k = 18 planes)", "18-DOP, 72 bytes a node"}};
-const std::vector<Kept> kAxisTimes = {{"all pairs of edges", "all faces and pairs of edges tested"},
-                                      kPrecisions[0]};
+const std::vector<Kept> kAxisTimes = {
+    {"float, all pairs of edges", "all faces and pairs of edges tested"}, kPrecisions[0]};
 const std::vector<Kept> kContactTimes = {
     {"float, contact", "contact from scratch"},
     {"float, the same with a cache", "with the last frame's features"}};

@@ -45,8 +45,9 @@ TEST(Features, AnEdgeOnAFaceIsTheLowestEdgeOfTheOtherShape) {
 TEST(Features, AFaceIsOutlinedAndACornerRinged) {
   EXPECT_EQ(TouchingCrate("face-face").sketch().surfaces.size(), 1u);
   const Sketch corner = TouchingCrate("point-face").sketch();
-  ASSERT_EQ(corner.marks.size(), 1u);
+  ASSERT_EQ(corner.marks.size(), 2u);  // filled, where no contact point is drawn
   EXPECT_EQ(corner.marks[0].kind, MarkKind::WideRing);
+  EXPECT_EQ(corner.marks[1].kind, MarkKind::Dot);
 }
 
 TEST(Features, ClosestPointsOfTwoEdgesShowBothAsCrossedOnesDo) {

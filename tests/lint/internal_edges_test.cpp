@@ -77,7 +77,7 @@ TEST(InternalEdges, AreNamedBeforeTheyAreTouched) {
     trace::Pair& pair = trace.frames[std::size_t(f)].pairs[0];
     trace::Manifold& manifold = pair.manifolds.emplace_back();
     const double down = pair.a == "floor" ? 1 : -1;
-    const Vec3d lean = f == 30 ? Vec3d(0.5, 0.8, 0) : Vec3d(1, 0.1, 0);
+    const Vec3d lean = f == 30 ? Vec3d(1, 0.8, 0) : Vec3d(1, 0.1, 0);
     manifold.normal = down * lean.normalized();
     const Vec3d at = trace.frames[std::size_t(f)].poses[0].second.position;
     manifold.points.push_back({{at.x(), 0, at.z()}, 0.001, "a:v0 b:f0"});
