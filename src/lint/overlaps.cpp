@@ -82,9 +82,10 @@ class OverlapsWatch final : public Watch {
       }
     for (const auto& [body, one] : frames.balance->all()) {
       if (!frames.balance->is_off(body)) continue;
+      const Vec3d& lacking = one.impulse;
       ++off_[body].first;
       off_[body].second += std::ranges::none_of(
-          pushes_[body], [&](const Vec3d& push) { return acts_along(one.impulse, push); });
+          pushes_[body], [&](const Vec3d& push) { return acts_along(lacking, push); });
     }
   }
 
