@@ -58,6 +58,7 @@ struct Extent {
   bool croppable = true;         // whether to crop the subject if the contact would be too small
   std::vector<Vec3d> contact;    // its patches
   Vec3d normal = Vec3d::Zero();  // of the contact, towards the viewer; zero without contact
+  Vec3d across = Vec3d::Zero();  // towards the eye, of two normals that are compared; may be zero
 };
 
 // The contact's normal towards the viewer: any side, unless a half-space would hide everything.
@@ -179,7 +180,8 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
   const double aspect = viewport.width / viewport.height;
 
   // Without a target, the view's eye looks at the middle of all shapes.
-  Vec3d direction = viewing_direction(header, extent.normal);
+  Vec3d direction =
+      extent.across.isZero() ? viewing_direction(header, extent.normal) : extent.across;
   if (view.eye)
     direction = (*view.eye - view.target.value_or(center_of(extent.shapes))).normalized();
   const Vec3d up = up_axis(header);
@@ -206,6 +208,26 @@ Camera fit_camera(const trace::Header& header, const Extent& extent, const View&
   return view.orthographic_height
              ? Camera::orthographic(eye, best.target, up, *view.orthographic_height, viewport)
              : Camera::perspective(eye, best.target, up, fov, viewport);
+}
+
+/// Where a fault's pair has another normal than its shapes: a direction from which both are seen at
+/// full length, nearly, from the usual side. Else zero.
+Vec3d across_normals(const trace::Header& header, const std::vector<trace::Frame>& frames,
+                     const Fault::Place& place) {
+  for (const trace::Frame& frame : frames) {
+    if (!place.normal || frame.frame != place.frame) continue;
+    for (const trace::Pair& pair : frame.pairs) {
+      if (std::minmax(pair.a, pair.b) != std::minmax(place.a, place.b)) continue;
+      for (const trace::Manifold& manifold : pair.manifolds) {
+        const Vec3d across = manifold.normal.cross(*place.normal);
+        constexpr double kDiffer = 0.1, kRaised = 0.35;
+        if (across.norm() < kDiffer) continue;
+        const double side = across.dot(default_direction(header)) < 0 ? -1 : 1;
+        return (side * across.normalized() + kRaised * up_axis(header)).normalized();
+      }
+    }
+  }
+  return Vec3d::Zero();
 }
 
 /// Position of the first shape of a viewport's pair at the start of the sequence.
@@ -326,7 +348,9 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     std::erase(view.focus_on, "");
   }
   const Cast cast = cast_of(to_fit, view, meshes, fitted != nullptr);
-  const Extent extent = gather(header, to_fit, view, meshes, false, cast);
+  Extent extent = gather(header, to_fit, view, meshes, false, cast);
+  if (const Fault::Place* const place = view.first_fault(); place && view.focus == Focus::Worst)
+    extent.across = across_normals(header, to_fit, *place);
   const auto camera_in = [&](const Rect& viewport) {
     return fit_camera(header, extent, view, viewport, !cast.subject.empty());
   };

@@ -78,7 +78,7 @@ function nameFindings() {
       const [frame, ...both] = finding.marks.slice(i, i + 3), index = indices.get(frame), key = both.sort((a, b) => a - b).join(' ');
       if (index === undefined) continue;
       finding.places.push(index);
-      finding.marked[index].push({ key, at: finding.where[i / 3], normal: (finding.normals || [])[i / 3] });
+      finding.marked[index].push({ key, at: finding.where[i / 3], normal: (finding.normals || [])[i / 3], step: (finding.steps || [])[i / 3] });
       finding.at.set(key, (finding.at.get(key) || new Set()).add(index));
       // A pair that the trace never has is known from here on.
       if (both[0] >= 0 && !pairs.has(key)) pairs.set(key, data.pairs.push([...both, '', '']) - 1);
@@ -120,6 +120,9 @@ const LEVELS = [
   { '*': (a, b) => (...of) => a(...of) * b(...of), '/': (a, b) => (...of) => a(...of) / b(...of) },
 ];
 const NOT_LEVEL = 2;
+
+/** What other engines call the quantities. */
+const MEANT = { depth: 'overlap', penetration: 'overlap', penetration_depth: 'overlap', distance: 'separation', dist: 'separation', gap: 'separation', contacts: 'points', force: 'impulse', normal: 'normal_turn' };
 
 /** The function of (record, frame, pair) that a text stands for. Throws Error with what is wrong. */
 function parseExpression(text) {
@@ -165,7 +168,7 @@ function parseExpression(text) {
     }
     const name = token.replace(/^previous\./, ''), isPrevious = name !== token;
     if (!Object.hasOwn(data.quantities, name)) {
-      const words = Object.keys(data.quantities), near = nearest(name, [...words, 'lint']);
+      const words = Object.keys(data.quantities), near = MEANT[name.toLowerCase()] || nearest(name, [...words, 'lint']);
       throw new Error("'" + token + "' is not a quantity; " + (near ? "did you mean '" + near + "'?" : 'known: ' + words.join(', ') + '; or a name of a body'));
     }
     if (isPrevious && data.quantities[name]) throw new Error("'" + name + "' is a change from the frame before; leave out 'previous.'");
@@ -182,9 +185,19 @@ function bodiesNamed(text) {
   const same = of(name => name === plain);
   return !plain || Object.hasOwn(data.quantities, plain) ? [] : same.length ? same : of(name => name.includes(plain));
 }
+/** The two bodies that a text names, as 'crate, floor' or 'crate-floor'; null if it does not. */
+function pairNamed(text) {
+  const plain = text.trim().toLowerCase(), names = data.shapes.map(shape => shape.name.toLowerCase());
+  for (const [body, name] of names.entries()) {
+    const other = plain.startsWith(name) ? names.indexOf(plain.slice(name.length).replace(/^\s*(,|-|and\b)?\s*/, '')) : -1;
+    if (other >= 0) return [body, other];
+  }
+  return null;
+}
 /** All [frame, record, pair] for which the expression is true. A pair that has just left the trace, or that a finding names, has the record -1. */
 function findRecords(text) {
-  const expression = parseExpression(text), pairsOf = frame => frame < 0 ? [] : recordsOf(frame).map(record => data.contacts.pair[record]);
+  const two = pairNamed(text), isOfTwo = (record, frame, pair) => Number(two.every(body => data.pairs[pair].slice(0, 2).includes(body)));
+  const expression = two ? isOfTwo : parseExpression(text), pairsOf = frame => frame < 0 ? [] : recordsOf(frame).map(record => data.contacts.pair[record]);
   return data.frames.flatMap((_, frame) => {
     const here = new Set(pairsOf(frame)), gone = new Set([...pairsOf(frame - 1), ...[...data.named[frame].values()].map(({ pair }) => pair)].filter(pair => pair >= 0 && !here.has(pair)));
     return [...recordsOf(frame).map(record => [frame, record, data.contacts.pair[record]]), ...[...gone].map(pair => [frame, -1, pair])]

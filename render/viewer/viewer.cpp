@@ -70,8 +70,10 @@ ordered_json finding_json(const lint::Finding& finding, const std::map<std::stri
                {"b", finding.b},
                {"said", finding.said},
                {"is", finding.is}});
-  const bool has_normals = std::ranges::any_of(
-      finding.marks, [](const lint::Mark& mark) { return mark.normal.has_value(); });
+  const auto any_has = [&](auto what) {
+    return std::ranges::any_of(finding.marks, [&](const auto& mark) { return bool(mark.*what); });
+  };
+  const bool has_normals = any_has(&lint::Mark::normal), has_paths = any_has(&lint::Mark::path);
   for (const lint::Mark& mark : finding.marks) {
     for (const int number :
          {mark.frame, bodies.at(mark.a), mark.b.empty() ? -1 : bodies.at(mark.b)})
@@ -83,6 +85,8 @@ ordered_json finding_json(const lint::Finding& finding, const std::map<std::stri
     };
     add("where", mark.at);
     if (has_normals) add("normals", mark.normal);
+    if (has_paths) add("steps", mark.path ? std::optional(mark.path->back() - mark.path->front())
+                                          : std::nullopt);
   }
   return json;
 }

@@ -59,7 +59,9 @@ void require_regular_file(const std::string& path, const std::string& wanted) {
 std::string foreign_format(std::string_view begin, std::uintmax_t size) {
   using Format = std::pair<std::string_view, const char*>;
   if (begin.starts_with("\xEF\xBB\xBF")) begin.remove_prefix(3);
-  constexpr std::array<Format, 8> kMagic = {{{"glTF", "binary glTF"},
+  constexpr std::array<Format, 10> kMagic = {{{"\x1F\x8B", "a compressed file (gzip)"},
+                                             {"\x28\xB5\x2F\xFD", "a compressed file (zstd)"},
+                                             {"glTF", "binary glTF"},
                                              {"PXR-USDC", "binary USD"},
                                              {"#usda", "USD (text)"},
                                              {"PK\x03\x04", "a ZIP archive, as USDZ or 3MF"},
@@ -82,6 +84,8 @@ std::string foreign_format(std::string_view begin, std::uintmax_t size) {
   if (text.starts_with('{') && text.find("\"asset\"") != std::string_view::npos &&
       text.find("\"contactscope.") == std::string_view::npos)
     return "glTF (JSON)";
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  if (std::ranges::count(line, ',') > 1 && line.find_first_of("=[{'\"#") == line.npos) return "CSV";
   return is_obj(text) ? "a Wavefront .obj" : "";
 }
 
@@ -92,6 +96,8 @@ std::string foreign_format_remedy(std::string_view begin, std::uintmax_t size) {
            "`jq -c '.[]' FILE > run.jsonl` writes it so";
   const std::string format = foreign_format(begin, size);
   if (format.empty()) return {};
+  if (format.find("(gzip)") != format.npos || format.find("(zstd)") != format.npos)
+    return "this is " + format + "; unpack it, and give the name of what is in it, or pipe it to -";
   constexpr std::array kMeshes = {".obj", "STL", "PLY"};
   if (std::ranges::any_of(kMeshes, [&](auto mesh) { return format.find(mesh) != format.npos; }))
     return "this is " + format +

@@ -91,8 +91,12 @@ double calculate(const std::string& name, double a, double b) {
 class Expression::Parser {
  public:
   Parser(const std::string& text, const Vocabulary& vocabulary, std::vector<Fact>& facts,
-         std::vector<std::string>& assumptions)
-      : text_(text), vocabulary_(vocabulary), facts_(facts), assumptions_(assumptions) {
+         std::vector<std::string>& assumptions, std::vector<std::string>& texts)
+      : text_(text),
+        vocabulary_(vocabulary),
+        facts_(facts),
+        assumptions_(assumptions),
+        texts_(texts) {
     next();
   }
 
@@ -235,6 +239,7 @@ class Expression::Parser {
     if (first == '"' || first == '\'') {
       Node text{
           Node::Kind::Constant, token_.substr(1, token_.size() - 2), {}, {}, {}, {}, Unit::Text};
+      texts_.push_back(token_.substr(1, token_.size() - 2));
       next();
       return text;
     }
@@ -345,14 +350,14 @@ class Expression::Parser {
   const std::string& text_;
   const Vocabulary& vocabulary_;
   std::vector<Fact>& facts_;
-  std::vector<std::string>& assumptions_;
+  std::vector<std::string>&assumptions_, &texts_;
   std::size_t at_ = 0, begin_ = 0;
   std::string token_;
   double number_ = 0;  // the value of a token that is a number
 };
 
 Expression::Expression(const std::string& text, const Vocabulary& vocabulary) : text_(text) {
-  root_ = std::make_shared<const Node>(Parser(text_, vocabulary, facts_, assumptions_).whole());
+  root_ = std::make_shared<const Node>(Parser(text_, vocabulary, facts_, assumptions_, texts_).whole());
 }
 
 std::set<std::string> Expression::sides() const {

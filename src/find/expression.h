@@ -69,6 +69,8 @@ class Expression {
   const std::vector<Fact>& facts() const { return facts_; }
   /// Comparisons of a quantity that has a unit with a number that has none: "50 is 50 m".
   const std::vector<std::string>& assumptions() const { return assumptions_; }
+  /// The texts in quotes.
+  const std::vector<std::string>& texts() const { return texts_; }
   /// The sides in the expression: "float", "bullet". A quantity without a side has the side "".
   std::set<std::string> sides() const;
   /// Whether the expression is true. Texts are true if not empty, numbers if not 0.
@@ -82,7 +84,7 @@ class Expression {
 
   std::string text_;
   std::vector<Fact> facts_;
-  std::vector<std::string> assumptions_;
+  std::vector<std::string> assumptions_, texts_;
   std::shared_ptr<const Node> root_;
 };
 

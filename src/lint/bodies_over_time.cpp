@@ -54,8 +54,9 @@ class BodiesWatch final : public Watch {
       names[kNamed] = counted(names.size() - kNamed, "other"), names.resize(kNamed + 1);
     flights_.report(
         findings, (names.size() == 1 ? "a body flies off: " : "bodies fly off: ") + listed(names),
-        "look at the contacts of the frames just before: deep overlaps that are pushed "
-        "out within a step, wrong masses or inertias, or bodies that start in one another");
+        ("look at the contacts of frame " + std::to_string(flights_.first.frame) +
+         " and those before: deep overlaps that are pushed out within a step, wrong masses or "
+         "inertias, or bodies that start in one another").c_str());
   }
 
  private:

@@ -17,7 +17,7 @@ constexpr std::string_view kOthers =
     "impulses_of_a_substep impulses_halved impulses_doubled impulses_unlike_weights "
     "velocities_negated velocities_of_a_step velocities_in_centimetres "
     "velocities_in_millimetres velocities_in_frame_of_body spins_negated "
-    "spins_in_degrees spins_of_a_step spins_in_frame_of_body shape large_margin "
+    "spins_in_degrees spins_of_a_step spins_in_frame_of_body shape large_margin large_tolerance "
     "rounded_edges kept_points torn";
 
 /// Checks the record itself, independent of shapes and poses.

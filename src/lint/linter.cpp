@@ -39,6 +39,8 @@ const std::vector<Cause>& causes_and_effects() {
        },
        {"overlap_told_apart", "overlap_without_contact", "pair_never_reported"}},
       {[](const std::string& cause) { return cause == "flipped_normals"; }, {"impulses_on_a"}},
+      // MuJoCo starts again when a world has exploded.
+      {[](const std::string& cause) { return cause == "bodies_fly_off"; }, {"times_do_not_rise"}},
       {[](const std::string& cause) {
          constexpr std::array kLost = {
              "pairs_flicker",           "points_flicker", "overlap_told_apart",
@@ -99,7 +101,7 @@ int rank_of(const Finding& finding) {
     return finding.is_severe                      ? severe
            : finding.gross > 0 && is_above(kMany) ? Impulses
                                                   : Approximate;
-  if (is("overlap_without_contact")) return finding.is_severe ? severe : Small;
+  if (is("overlap_without_contact")) return finding.is_severe ? Rare : Small;
   if (is("pair_never_reported")) return finding.is_severe ? Flicker : Small;
   constexpr double kSmall = 0.01, kLarge = 0.03;
   if (is("margin_added", "margin_taken_off") && (finding.size < kSmall || !is_above(kPart)))
@@ -133,6 +135,15 @@ void add_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
   hints.back().is_hint = true;
 }
 
+void add_tolerance_hint(const std::string& shape, double tolerance, std::vector<Finding>& hints) {
+  hints.push_back({"large_tolerance",
+                   "the tolerance of " + metres(tolerance) + " is not less than the size of '" +
+                       shape + "'",
+                   "no error of its contacts can be seen: give a smaller one, as --tolerance 1mm",
+                   1, 0, 1, 0, shape});
+  hints.back().is_hint = true;
+}
+
 }  // namespace
 
 struct Linter::State {
@@ -160,6 +171,9 @@ struct Linter::State {
   void add(const std::vector<trace::Shape>& shapes) {
     for (const trace::Shape& shape : shapes) {
       solids.add(shape);
+      const Solid* const solid = solids.find(shape.name);
+      if (solid != nullptr && !solid->is_plane() && options.tolerance >= solid->size())
+        add_tolerance_hint(shape.name, options.tolerance, hints);
       if (!options.shapes_are_given) add_hint(shape, hints);
     }
   }

@@ -38,6 +38,35 @@ struct Missing {
   }
 };
 
+/// Looks for a point that two bodies share while one turns about it: that of a ball joint or hinge.
+struct Pivot {
+  Pose<double> first{};  // of b in the frame of a
+  Mat3<double> squares = Mat3<double>::Zero();
+  Vec3d moments = Vec3d::Zero();
+  double moved = 0, turned = 0;
+  int count = 0;
+
+  void add(const Pose<double>& b_in_a) {
+    if (count++ == 0) first = b_in_a;
+    // A point p of b stays where it is: turn p = -shift.
+    const Mat3<double> turn =
+        b_in_a.rotation.toRotationMatrix() - first.rotation.toRotationMatrix();
+    const Vec3d shift = b_in_a.position - first.position;
+    squares += turn.transpose() * turn;
+    moments -= turn.transpose() * shift;
+    moved += shift.squaredNorm(), turned += turn.squaredNorm();
+  }
+  /// `size`: of the smaller body, metres. Bodies that hardly move show nothing.
+  bool is_joint(double size) const {
+    constexpr double kMoves = 2e-3, kRest = 0.05;
+    const double motion = std::max(moved, size * size * turned);
+    if (!(motion > count * kMoves * kMoves * size * size)) return false;
+    const Mat3<double> damped = squares + 1e-9 * squares.trace() * Mat3<double>::Identity();
+    const Vec3d p = damped.inverse() * moments;
+    return moved - 2 * p.dot(moments) + p.dot(squares * p) < kRest * kRest * motion;
+  }
+};
+
 class OverlapsWatch final : public Watch {
  public:
   explicit OverlapsWatch(const trace::Header& header)
@@ -92,21 +121,23 @@ class OverlapsWatch final : public Watch {
   void report(std::vector<Finding>& findings) override {
     report_kind("overlap_told_apart", "shapes that overlap are reported as separated",
                 "check the test that separates them, and the poses", separation_, findings);
-    std::erase_if(untold_, [&](const auto& one) { return !with_contacts_.contains(one.first); });
+    std::erase_if(untold_.pairs,
+                  [&](const auto& one) { return !with_contacts_.contains(one.first); });
     report_kind(
         "overlap_without_contact", "shapes overlap without a reported contact",
         "they have contacts in other frames: check the broad phase, and what is left out when "
         "a frame is written",
         untold_, findings);
-    std::erase_if(resting_, [&](const auto& one) {
+    std::erase_if(resting_.pairs, [&](const auto& one) {
       return one.second.count < kResting || with_contacts_.contains(one.first) ||
              (deep_.contains(one.first) && !hanging_.contains(one.first));
     });
     std::erase_if(lacking_, [](const auto& one) { return one.second.count < kResting; });
     erase_forced();
+    erase_joined();
     for (auto& [names, one] : lacking_) {
-      one.count = std::max(one.count, resting_[names].count);
-      resting_[names] = one;
+      one.count = std::max(one.count, resting_.pairs[names].count);
+      resting_.pairs[names] = one;
     }
     report_kind("pair_never_reported", "a body rests on another, and no contact is reported",
                 "check the broad phase, the filter of pairs, and what is left out when a frame is "
@@ -115,7 +146,11 @@ class OverlapsWatch final : public Watch {
   }
 
  private:
-  using List = std::map<Names, Missing>;
+  using Pairs = std::map<Names, Missing>;
+  struct List {
+    Pairs pairs{};
+    Marks marks{};  // of these pairs, and of some that are no longer in the list
+  };
 
   /// Frames in which a body rests on another.
   static constexpr int kResting = 10;
@@ -139,15 +174,20 @@ class OverlapsWatch final : public Watch {
     if (is_deep) deep_.insert(names);
     const double size = std::min({a->size(), b->size(), 1e6});
     if (overlap > 4 * solids.allowed_for(*a, *b) && !(&list == &untold_ && is_asleep))
-      list[names].add(frames, overlap, tolerance, size);
+      add_to(list, names, frames, overlap, tolerance, size);
     const std::string &of_a = bodies_[names.first] = solids.body_of(names.first),
                       &of_b = bodies_[names.second] = solids.body_of(names.second);
+    if (&list == &untold_ && of_a != of_b) {
+      pivots_[names].add(relative_pose(a->pose, b->pose));
+      sizes_[names] = size;
+    }
     if (both_still || of_a == of_b) return;
     if (&list == &untold_ && overlap > -tolerance &&
         lacks_contact(solids, *frames.balance, names, separation->normal)) {
       Missing& lacking = lacking_[names];
       if (lacking.count < kResting && frames.now->frame > lacking.last + 1) lacking = {};
       lacking.add(frames, overlap, tolerance, size, true);
+      resting_.marks.add(here(names, frames), options_);
     }
     if (&list == &untold_ && overlap > -tolerance) {
       pushes_[of_a].push_back(-separation->normal);
@@ -162,7 +202,18 @@ class OverlapsWatch final : public Watch {
     const bool is_hanging =
         overlap > -tolerance / 4 && hangs(solids, frames, up > 0 ? names.second : names.first);
     if (is_hanging) hanging_.insert(names);
-    if (rests || is_hanging) resting_[names].add(frames, overlap, tolerance, size, is_hanging);
+    if (rests || is_hanging)
+      add_to(resting_, names, frames, overlap, tolerance, size, is_hanging);
+  }
+
+  static Mark here(const Names& names, const Moments& frames) {
+    return {frames.now->frame, frames.now->line, names.first, names.second};
+  }
+
+  void add_to(List& list, const Names& names, const Moments& frames, double overlap,
+              double tolerance, double size, bool hangs = false) const {
+    list.pairs[names].add(frames, overlap, tolerance, size, hangs);
+    list.marks.add(here(names, frames), options_);
   }
 
   /// Whether the impulses that two bodies lack are those of a contact of these shapes.
@@ -190,8 +241,8 @@ class OverlapsWatch final : public Watch {
       if (frames.second >= kResting && 2 * frames.second > frames.first) forced.insert(body);
     for (std::size_t known = 0; known != forced.size();) {
       known = forced.size();
-      for (List* const list : {&resting_, &lacking_})
-        std::erase_if(*list, [&](const auto& one) {
+      for (Pairs* const pairs : {&resting_.pairs, &lacking_})
+        std::erase_if(*pairs, [&](const auto& one) {
           const std::array of_pair = {bodies_.at(one.first.first), bodies_.at(one.first.second)};
           const auto is_forced = [&](const std::string& body) { return forced.contains(body); };
           if (std::ranges::none_of(of_pair, is_forced)) return false;
@@ -200,6 +251,11 @@ class OverlapsWatch final : public Watch {
           return true;
         });
     }
+  }
+
+  void erase_joined() {
+    for (const auto& [names, pivot] : pivots_)
+      if (pivot.is_joint(sizes_[names])) resting_.pairs.erase(names), lacking_.erase(names);
   }
 
   /// Whether nothing is reported that holds a body, and it does not fall.
@@ -214,21 +270,23 @@ class OverlapsWatch final : public Watch {
 
   void report_kind(const char* cause, const char* what, const char* remedy, List& list,
                    std::vector<Finding>& findings) const {
-    std::erase_if(list, [&](const auto& one) {
+    std::erase_if(list.pairs, [&](const auto& one) {
       return options_ != nullptr && options_->ignores(cause, one.first.first, one.first.second);
     });
-    const auto deepest = std::ranges::max_element(list, {}, [](const auto& one) {
+    const auto deepest = std::ranges::max_element(list.pairs, {}, [](const auto& one) {
       return std::pair(one.second.is_gross, one.second.deepest);
     });
-    if (deepest == list.end()) return;
+    if (deepest == list.pairs.end()) return;
     int count = 0;
-    for (const auto& one : list) count += one.second.count;
+    for (const auto& one : list.pairs) count += one.second.count;
     findings.push_back({cause, what, remedy, count, touching_ + count, deepest->second.line,
                         deepest->second.frame, deepest->first.first, deepest->first.second,
                         "no contact", "they overlap by " + metres(deepest->second.deepest)});
     findings.back().is_severe = deepest->second.is_gross;
     findings.back().size = deepest->second.size;
-    for (const auto& [names, one] : list)
+    for (const Mark& mark : list.marks.marks.kept())
+      if (list.pairs.contains({mark.a, mark.b})) findings.back().marks.push_back(mark);
+    for (const auto& [names, one] : list.pairs)
       findings.back().pairs.push_back({names.first, names.second, one.count, one.line, one.frame});
   }
 
@@ -241,7 +299,9 @@ class OverlapsWatch final : public Watch {
   std::map<std::string, std::pair<int, int>> off_;
   std::map<std::string, std::string> bodies_;  // by shape
   List separation_, untold_, resting_;
-  List lacking_;  // pairs of bodies that move as if they had a contact that is not reported
+  Pairs lacking_;  // pairs of bodies that move as if they had a contact that is not reported
+  std::map<Names, Pivot> pivots_;   // of pairs without a contact that are close
+  std::map<Names, double> sizes_;   // of the smaller body of each, metres
   std::set<Names> hanging_;  // pairs without a contact of a body that nothing else holds
   std::set<Names> deep_;     // pairs without a contact that overlap more than bodies at rest
   int touching_ = 0;         // pairs with contacts, of all frames

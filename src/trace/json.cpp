@@ -21,8 +21,8 @@ Json written(const Study& study) {
 }
 
 constexpr const char* kNoJson =
-    "this line is not valid JSON from here on; a trace has one object per line, so it may be "
-    "cut off: record it again";
+    "this line is not valid JSON from here on; a trace has one object per line: correct it, or, if "
+    "it is cut off, record it again";
 
 /// Explains why a line is not JSON from a column on, counted from 1.
 std::string why_no_json(const std::string& line, std::size_t column, const std::string& record) {

@@ -227,6 +227,9 @@ template <Listed T> T read(const Node& node, const Counts* around, Problems* pro
 /// Throws all problems at once, or appends them to `problems`.
 Header read_header(const Node& node, const std::string& place, Problems* problems,
                    Problems& doubts) {
+  if (!node.find("schema"))
+    node.lacks("schema", std::string("\"") + kSchema + "\"",
+               node.find("frame") ? "this is a frame, and the first line is the header; " : "");
   const Node schema = node.at("schema");
   const std::string name = schema.string();
   const std::string_view family(kSchema, std::string_view(kSchema).find('/') + 1);

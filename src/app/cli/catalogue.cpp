@@ -47,7 +47,14 @@ std::vector<std::string> files_named(const std::string& argument, const Options&
   for (const std::string& root : roots)
     if (files.empty()) files = files_in(root, argument);
   if (!files.empty()) return files;
-  if (is_folder) throw InputError(argument, 0, 0, "no scenario (*.toml) in this folder");
+  if (is_folder) {
+    for (const auto& entry : fs::directory_iterator(argument, unknown))
+      if (is_trace_file(entry.path().string()))
+        throw InputError(argument, 0, 0,
+                         "no scenario (*.toml) in this folder; give its traces, as " +
+                             entry.path().string());
+    throw InputError(argument, 0, 0, "no scenario (*.toml) in this folder");
+  }
   require_regular_file(argument, "give the path of a scenario (.toml)");
   std::vector<std::string> names;
   for (const std::string& root : roots) {

@@ -194,7 +194,7 @@ std::string add_faults(const Input& input, const std::vector<int>& drawn, const 
   if (std::ranges::none_of(views, has_faults)) return {};
   const auto is_drawn = [&](int frame) { return std::ranges::binary_search(drawn, frame); };
   const auto is_of_pair = [&](const std::string& a, const std::string& b) {
-    return options.pair.size() != 2 ||
+    return options.pair.empty() ||
            std::minmax(a, b) == std::minmax(options.pair[0], options.pair[1]);
   };
   lint::LintOptions to_lint = linter_options(options);

@@ -130,7 +130,6 @@ void keep_where(Sequence& sequence, Input& input, std::vector<View>& views,
 std::function<bool(const trace::Pair&)> chosen_pair(const trace::Header& header,
                                                     const Options& options) {
   if (options.pair.empty()) return [](const trace::Pair&) { return true; };
-  if (options.pair.size() != 2) throw UsageError("--pair names two shapes, as --pair=crate,floor");
   for (const std::string& name : options.pair)
     require_shape(names_in(header.shapes), "--pair", name);
   return [two = options.pair](const trace::Pair& pair) {

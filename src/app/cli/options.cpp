@@ -114,6 +114,8 @@ void use_backend_of_environment(Options& options) {
 void finish(Options& options) {
   options.scenario_root = scenario_root(options.scenario_root);
   finish_figure(options, options.size.has_value());
+  if (!options.pair.empty() && options.pair.size() != 2)
+    throw UsageError("--pair names two shapes, as --pair=crate,floor");
   if (options.out.empty()) throw UsageError("--out is empty; name a folder");
   if (options.write_missing && options.update == snapshot::Update::None)
     options.update = snapshot::Update::Missing;

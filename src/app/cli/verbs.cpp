@@ -123,6 +123,11 @@ void check_value(const Option& option, const std::string& text) {
       option.to);
 }
 
+bool takes_pair(const Verb& verb) {
+  return std::ranges::any_of(options_of(verb.name),
+                             [](const Option* option) { return option->name() == "--pair"; });
+}
+
 /// Checks the arguments that are not options: their number, and the words of those that have some.
 void check_positional(const Verb& verb, const std::vector<std::string>& given) {
   std::size_t next = 0;
@@ -137,7 +142,9 @@ void check_positional(const Verb& verb, const std::vector<std::string>& given) {
   if (next < given.size())
     throw UsageError(verb.name + (next == 0 ? " takes no argument" : " takes only one argument") +
                      ", and '" + given[next] + "' is one more; leave it out" +
-                     (next == 0 ? "" : ", or run the verb once for each"));
+                     (next == 0          ? ""
+                      : takes_pair(verb) ? ", or name two shapes by --pair=A,B"
+                                         : ", or run the verb once for each"));
 }
 
 }  // namespace

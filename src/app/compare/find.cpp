@@ -67,6 +67,17 @@ void print_json(const std::vector<Hit>& hits, const find::Expression& expression
   std::cout << "]}\n";
 }
 
+/// Texts that a condition on names compares with, and that name no shape.
+void note_unknown(const find::Expression& expression, const std::vector<std::string_view>& names) {
+  if (std::ranges::none_of(expression.facts(),
+                           [](const Fact& fact) { return fact.name() == "a" || fact.name() == "b"; }))
+    return;
+  for (const std::string& text : expression.texts())
+    if (std::ranges::find(names, text) == names.end())
+      std::cerr << "note: no shape is named '" << text << "'; " << did_you_mean(text, names)
+                << "names are case-sensitive\n";
+}
+
 ExitCode run_find(const Options& options) {
   note_interrupts();
   find::Finder finder(condition_of("EXPRESSION", options.condition));
@@ -109,6 +120,7 @@ ExitCode run_find(const Options& options) {
     print_json(hits, finder.expression(), frames, file.name());
   else if (!hits.empty())
     print_table(hits, finder.expression().facts());
+  if (hits.empty()) note_unknown(finder.expression(), names_in(file.header().shapes));
   if (options.quiet) return hits.empty() ? ExitCode::Different : ExitCode::Same;
   for (const std::string& assumption : finder.expression().assumptions())
     std::cerr << "note: " << assumption << ", because no unit follows\n";
