@@ -85,8 +85,9 @@ ordered_json finding_json(const lint::Finding& finding, const std::map<std::stri
     };
     add("where", mark.at);
     if (has_normals) add("normals", mark.normal);
-    if (has_paths) add("steps", mark.path ? std::optional(mark.path->back() - mark.path->front())
-                                          : std::nullopt);
+    if (!has_paths) continue;
+    add("steps",
+        mark.path ? std::optional<Vec3d>((*mark.path)[1] - (*mark.path)[0]) : std::nullopt);
   }
   return json;
 }

@@ -60,15 +60,15 @@ std::string foreign_format(std::string_view begin, std::uintmax_t size) {
   using Format = std::pair<std::string_view, const char*>;
   if (begin.starts_with("\xEF\xBB\xBF")) begin.remove_prefix(3);
   constexpr std::array<Format, 10> kMagic = {{{"\x1F\x8B", "a compressed file (gzip)"},
-                                             {"\x28\xB5\x2F\xFD", "a compressed file (zstd)"},
-                                             {"glTF", "binary glTF"},
-                                             {"PXR-USDC", "binary USD"},
-                                             {"#usda", "USD (text)"},
-                                             {"PK\x03\x04", "a ZIP archive, as USDZ or 3MF"},
-                                             {"Kaydara FBX", "binary FBX"},
-                                             {"; FBX", "FBX (text)"},
-                                             {"ply\n", "PLY"},
-                                             {"ply\r\n", "PLY"}}};
+                                              {"\x28\xB5\x2F\xFD", "a compressed file (zstd)"},
+                                              {"glTF", "binary glTF"},
+                                              {"PXR-USDC", "binary USD"},
+                                              {"#usda", "USD (text)"},
+                                              {"PK\x03\x04", "a ZIP archive, as USDZ or 3MF"},
+                                              {"Kaydara FBX", "binary FBX"},
+                                              {"; FBX", "FBX (text)"},
+                                              {"ply\n", "PLY"},
+                                              {"ply\r\n", "PLY"}}};
   for (const auto& [magic, name] : kMagic)
     if (begin.starts_with(magic)) return name;
   if (is_binary_stl(begin, size)) return "binary STL";

@@ -357,7 +357,8 @@ class Expression::Parser {
 };
 
 Expression::Expression(const std::string& text, const Vocabulary& vocabulary) : text_(text) {
-  root_ = std::make_shared<const Node>(Parser(text_, vocabulary, facts_, assumptions_, texts_).whole());
+  root_ =
+      std::make_shared<const Node>(Parser(text_, vocabulary, facts_, assumptions_, texts_).whole());
 }
 
 std::set<std::string> Expression::sides() const {

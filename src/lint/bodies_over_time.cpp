@@ -12,6 +12,9 @@ constexpr double kTimes = 10, kFaster = 4;
 
 class BodiesWatch final : public Watch {
  public:
+  explicit BodiesWatch(const trace::Header& header)
+      : up_(header.up == "z" ? Vec3d::UnitZ() : Vec3d::UnitY()) {}
+
   void see(const Solids& solids, const Moments& frames) override {
     if (frames.before == nullptr) last_.clear(), last_turn_.clear(), jumped_.clear();
     for (Peak* const peak : {&overlap_, &impulse_}) peak->see(*frames.now);
@@ -19,9 +22,12 @@ class BodiesWatch final : public Watch {
     std::map<std::string, double> turns;
     std::set<std::string> jumped;
     double fastest = fastest_;
+    const double lowest = lowest_contact(*frames.now);
     for (const auto& [name, pose] : frames.now->poses) {
       const std::optional<Placed> now = place(solids, frames.now, name, {});
       if (!now || now->solid->is_plane()) continue;
+      // It has left the world, and falls forever.
+      if (up_.dot(now->middle()) < lowest - now->size()) continue;
       const std::optional<Placed> before = place(solids, frames.before, name, {});
       const std::optional<Placed> after = place(solids, frames.after, name, {});
       if (before && !jumped_.contains(name)) {
@@ -56,11 +62,23 @@ class BodiesWatch final : public Watch {
         findings, (names.size() == 1 ? "a body flies off: " : "bodies fly off: ") + listed(names),
         ("look at the contacts of frame " + std::to_string(flights_.first.frame) +
          " and those before: deep overlaps that are pushed out within a step, wrong masses or "
-         "inertias, or bodies that start in one another").c_str());
+         "inertias, or bodies that start in one another")
+            .c_str());
   }
 
  private:
   static constexpr std::size_t kNamed = 5;
+
+  /// The height of the lowest contact; without contacts less than all.
+  double lowest_contact(const trace::Frame& frame) const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    double lowest = kInfinity;
+    for (const trace::Pair& pair : frame.pairs)
+      for (const trace::Manifold& manifold : pair.manifolds)
+        for (const trace::Point& point : manifold.points)
+          lowest = std::min(lowest, up_.dot(point.position));
+    return lowest < kInfinity ? lowest : -kInfinity;
+  }
 
   /// The largest value of all pairs up to two frames ago, and in the frame before.
   struct Peak {
@@ -153,6 +171,7 @@ class BodiesWatch final : public Watch {
     });
   }
 
+  Vec3d up_;
   std::map<std::string, Vec3d> last_;        // displacements to this frame
   std::map<std::string, double> last_turn_;  // metres at the rim
   double fastest_ = 0;            // metres within a step, of any body, until one flies off
@@ -164,6 +183,8 @@ class BodiesWatch final : public Watch {
 
 }  // namespace
 
-std::unique_ptr<Watch> watch_bodies_over_time() { return std::make_unique<BodiesWatch>(); }
+std::unique_ptr<Watch> watch_bodies_over_time(const trace::Header& header) {
+  return std::make_unique<BodiesWatch>(header);
+}
 
 }  // namespace contactscope::lint

@@ -281,7 +281,12 @@ class ContactsWatch final : public Watch {
       return one && one->is_off() && !one->was_off &&
              (one->impulse - of_lost).norm() <= kAbout * one->impulse.norm();
     };
-    const bool is_missed = lacks(std::get<0>(key), -impulse) || lacks(std::get<1>(key), impulse);
+    // Where all impulses of a pair are missing, no point is.
+    const bool carries = spots.empty() || std::ranges::any_of(spots, [](const Spot& spot) {
+                           return !spot.impulse.isZero();
+                         });
+    const bool is_missed =
+        carries && (lacks(std::get<0>(key), -impulse) || lacks(std::get<1>(key), impulse));
     for (std::size_t i = first; i < known.lost.size(); ++i) known.lost[i].is_missed = is_missed;
   }
 

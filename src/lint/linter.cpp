@@ -24,7 +24,8 @@ namespace {
 struct Cause {
   bool (*is)(const std::string& cause);
   std::vector<std::string> effects;
-  bool is_of_pairs = false;  // its effects are in the same pairs
+  /// InMost: in pairs that do not have the effect more often than the cause.
+  enum { Anywhere, InPairs, InMost } where = Anywhere;
 };
 /// Effects are left out when their cause is reported.
 const std::vector<Cause>& causes_and_effects() {
@@ -33,7 +34,7 @@ const std::vector<Cause>& causes_and_effects() {
          return std::ranges::find(mistakes(), cause, &Mistake::name) != mistakes().end();
        },
        {"depths_jump", "impulses_flicker", "internal_edge"},
-       true},
+       Cause::InPairs},
       {[](const std::string& cause) {
          return moves_shapes(cause) || cause == "shape_too_large" || cause == "shape_too_small";
        },
@@ -48,7 +49,13 @@ const std::vector<Cause>& causes_and_effects() {
          return std::ranges::find(kLost, cause) != kLost.end();
        },
        {"impulses_flicker"},
-       true}};
+       Cause::InPairs},
+      {[](const std::string& cause) { return cause == "normals_jump" || cause == "depths_jump"; },
+       {"separation", "normal", "deepest", "points_flicker"},
+       Cause::InMost},
+      {[](const std::string& cause) { return cause == "surface"; },
+       {"points_flicker"},
+       Cause::InMost}};
   return all;
 }
 
@@ -69,21 +76,39 @@ bool leaves_others(const std::set<Names>& explained, Finding& finding) {
   return true;
 }
 
+int count_in(const Finding& finding, const Names& names) {
+  const auto found = std::ranges::find_if(
+      finding.pairs, [&](const OfPair& one) { return names == Names(std::minmax(one.a, one.b)); });
+  return found == finding.pairs.end() ? 0 : found->count;
+}
+
 /// Leaves out the effects of causes that are reported: of one that explains half of all pairs all of
 /// them, of another one those in its pairs.
 void erase_effects(const Cause& cause, std::vector<Finding>& all) {
   bool is_wide = false;
-  std::set<Names> explained;
+  std::map<Names, int> caused;
   for (const Finding& finding : all) {
     if (!is_reported(finding) || !cause.is(finding.cause)) continue;
-    is_wide =
-        is_wide || !cause.is_of_pairs || finding.pairs.empty() || 2 * finding.count >= finding.of;
-    for (const OfPair& one : finding.pairs) explained.insert(std::minmax(one.a, one.b));
+    is_wide = is_wide || cause.where == Cause::Anywhere || finding.pairs.empty() ||
+              2 * finding.count >= finding.of;
+    for (const OfPair& one : finding.pairs) caused[std::minmax(one.a, one.b)] += one.count;
   }
-  if (!is_wide && explained.empty()) return;
+  if (!is_wide && caused.empty()) return;
   std::erase_if(all, [&](Finding& finding) {
-    return std::ranges::find(cause.effects, finding.cause) != cause.effects.end() &&
-           (is_wide || !leaves_others(explained, finding));
+    if (std::ranges::find(cause.effects, finding.cause) == cause.effects.end()) return false;
+    if (is_wide && cause.where != Cause::InMost) return true;
+    std::set<Names> explained;
+    for (const auto& [names, count] : caused)
+      if (cause.where == Cause::InPairs || count >= count_in(finding, names))
+        explained.insert(names);
+    const OfPair example{finding.a, finding.b};
+    if (!leaves_others(explained, finding)) return true;
+    constexpr double kFew = 0.02;
+    const bool is_another = finding.a != example.a || finding.b != example.b;
+    // Its example was the worst one.
+    if (cause.where == Cause::InMost && is_another && finding.count < kFew * finding.of)
+      finding.below = "2 %";
+    return false;
   });
 }
 
@@ -136,11 +161,11 @@ void add_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
 }
 
 void add_tolerance_hint(const std::string& shape, double tolerance, std::vector<Finding>& hints) {
-  hints.push_back({"large_tolerance",
-                   "the tolerance of " + metres(tolerance) + " is not less than the size of '" +
-                       shape + "'",
-                   "no error of its contacts can be seen: give a smaller one, as --tolerance 1mm",
-                   1, 0, 1, 0, shape});
+  hints.push_back(
+      {"large_tolerance",
+       "the tolerance of " + metres(tolerance) + " is not less than the size of '" + shape + "'",
+       "no error of its contacts can be seen: give a smaller one, as --tolerance 1mm", 1, 0, 1, 0,
+       shape});
   hints.back().is_hint = true;
 }
 
@@ -153,7 +178,7 @@ struct Linter::State {
     solids.are_of_bullet = header.engine == "Bullet";
     add(header.shapes);
     // These come first: what they explain is no wrong claim.
-    if (!options.shapes_are_given) watches.push_back(watch_bodies_over_time());
+    if (!options.shapes_are_given) watches.push_back(watch_bodies_over_time(header));
     watches.push_back(watch_contacts_over_time());
     watches.push_back(watch_internal_edges());
     watches.push_back(watch_claims(header, options));

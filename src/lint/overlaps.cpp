@@ -58,7 +58,7 @@ struct Pivot {
   }
   /// `size`: of the smaller body, metres. Bodies that hardly move show nothing.
   bool is_joint(double size) const {
-    constexpr double kMoves = 2e-3, kRest = 0.05;
+    constexpr double kMoves = 2e-3, kRest = 0.25;  // solvers leave joints some play
     const double motion = std::max(moved, size * size * turned);
     if (!(motion > count * kMoves * kMoves * size * size)) return false;
     const Mat3<double> damped = squares + 1e-9 * squares.trace() * Mat3<double>::Identity();
@@ -202,8 +202,7 @@ class OverlapsWatch final : public Watch {
     const bool is_hanging =
         overlap > -tolerance / 4 && hangs(solids, frames, up > 0 ? names.second : names.first);
     if (is_hanging) hanging_.insert(names);
-    if (rests || is_hanging)
-      add_to(resting_, names, frames, overlap, tolerance, size, is_hanging);
+    if (rests || is_hanging) add_to(resting_, names, frames, overlap, tolerance, size, is_hanging);
   }
 
   static Mark here(const Names& names, const Moments& frames) {
@@ -300,11 +299,11 @@ class OverlapsWatch final : public Watch {
   std::map<std::string, std::string> bodies_;  // by shape
   List separation_, untold_, resting_;
   Pairs lacking_;  // pairs of bodies that move as if they had a contact that is not reported
-  std::map<Names, Pivot> pivots_;   // of pairs without a contact that are close
-  std::map<Names, double> sizes_;   // of the smaller body of each, metres
-  std::set<Names> hanging_;  // pairs without a contact of a body that nothing else holds
-  std::set<Names> deep_;     // pairs without a contact that overlap more than bodies at rest
-  int touching_ = 0;         // pairs with contacts, of all frames
+  std::map<Names, Pivot> pivots_;  // of pairs without a contact that are close
+  std::map<Names, double> sizes_;  // of the smaller body of each, metres
+  std::set<Names> hanging_;        // pairs without a contact of a body that nothing else holds
+  std::set<Names> deep_;           // pairs without a contact that overlap more than bodies at rest
+  int touching_ = 0;               // pairs with contacts, of all frames
   const LintOptions* options_ = nullptr;
   Vec3d up_;
 };

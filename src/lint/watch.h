@@ -15,7 +15,7 @@ class Watch {
 };
 
 /// bodies_over_time.cpp: poses that jump and come back, bodies that fly off.
-std::unique_ptr<Watch> watch_bodies_over_time();
+std::unique_ptr<Watch> watch_bodies_over_time(const trace::Header& header);
 /// contacts_over_time.cpp: pairs and points that come and go, separations and normals that jump, all
 /// without motion; points reported twice.
 std::unique_ptr<Watch> watch_contacts_over_time();

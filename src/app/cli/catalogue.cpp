@@ -50,9 +50,9 @@ std::vector<std::string> files_named(const std::string& argument, const Options&
   if (is_folder) {
     for (const auto& entry : fs::directory_iterator(argument, unknown))
       if (is_trace_file(entry.path().string()))
-        throw InputError(argument, 0, 0,
-                         "no scenario (*.toml) in this folder; give its traces, as " +
-                             entry.path().string());
+        throw InputError(
+            argument, 0, 0,
+            "no scenario (*.toml) in this folder; give its traces, as " + entry.path().string());
     throw InputError(argument, 0, 0, "no scenario (*.toml) in this folder");
   }
   require_regular_file(argument, "give the path of a scenario (.toml)");

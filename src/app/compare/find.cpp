@@ -69,8 +69,9 @@ void print_json(const std::vector<Hit>& hits, const find::Expression& expression
 
 /// Texts that a condition on names compares with, and that name no shape.
 void note_unknown(const find::Expression& expression, const std::vector<std::string_view>& names) {
-  if (std::ranges::none_of(expression.facts(),
-                           [](const Fact& fact) { return fact.name() == "a" || fact.name() == "b"; }))
+  if (std::ranges::none_of(expression.facts(), [](const Fact& fact) {
+        return fact.name() == "a" || fact.name() == "b";
+      }))
     return;
   for (const std::string& text : expression.texts())
     if (std::ranges::find(names, text) == names.end())
