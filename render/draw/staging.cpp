@@ -349,8 +349,12 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
   }
   const Cast cast = cast_of(to_fit, view, meshes, fitted != nullptr);
   Extent extent = gather(header, to_fit, view, meshes, false, cast);
-  if (const Fault::Place* const place = view.first_fault(); place && view.focus == Focus::Worst)
+  if (const Fault::Place* const place = view.first_fault(); place && view.focus == Focus::Worst) {
     extent.across = across_normals(header, to_fit, *place);
+    for (const Fault& fault : view.faults)
+      for (const Fault::Place& one : fault.places)
+        if (one.path && one.frame == place->frame) append(extent.shapes, *one.path);
+  }
   const auto camera_in = [&](const Rect& viewport) {
     return fit_camera(header, extent, view, viewport, !cast.subject.empty());
   };

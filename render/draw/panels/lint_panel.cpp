@@ -217,9 +217,10 @@ void draw_both_normals(const trace::Pair& pair, const Vec3d& at, const Vec3d& no
 }
 
 /// Where a body was, and where it is a step later.
-void draw_path(const std::array<Vec3d, 2>& path, Sketch& sketch) {
+void draw_path(const std::array<Vec3d, 2>& path, Sketch& sketch, bool is_named = true) {
   const Vec3d step = path[1] - path[0];
   sketch.arrow_to_scale(path[0], step, 3, 12, kMotion);
+  if (!is_named) return;
   sketch.label(path[0], spell_length(step.norm()) + " in a step", kMotion, 16, 14,
                step.normalized());
   sketch.explain(kPathSwatch, "step of a body", path[0]);
@@ -262,6 +263,8 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
       sketch.explain(kFaultSwatch,
                      one.fault->is_condition ? "the condition holds" : "named by lint", *at);
     }
+    for (std::size_t i = one.listed(); i < one.places.size(); ++i)
+      if (const auto& path = one.places[i]->path) draw_path(*path, sketch, false);
   }
 }
 
