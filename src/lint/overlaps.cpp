@@ -173,8 +173,10 @@ class OverlapsWatch final : public Watch {
     const bool is_deep = overlap > 4 * tolerance;
     if (is_deep) deep_.insert(names);
     const double size = std::min({a->size(), b->size(), 1e6});
-    if (overlap > 4 * solids.allowed_for(*a, *b) && !(&list == &untold_ && is_asleep))
-      add_to(list, names, frames, overlap, tolerance, size);
+    if (overlap > 4 * solids.allowed_for(*a, *b) && !(&list == &untold_ && is_asleep)) {
+      list.pairs[names].add(frames, overlap, tolerance, size);
+      list.marks.add(here(names, frames), options_);
+    }
     const std::string &of_a = bodies_[names.first] = solids.body_of(names.first),
                       &of_b = bodies_[names.second] = solids.body_of(names.second);
     if (&list == &untold_ && of_a != of_b) {
@@ -182,12 +184,13 @@ class OverlapsWatch final : public Watch {
       sizes_[names] = size;
     }
     if (both_still || of_a == of_b) return;
+    bool is_lacking = false;
     if (&list == &untold_ && overlap > -tolerance &&
         lacks_contact(solids, *frames.balance, names, separation->normal)) {
       Missing& lacking = lacking_[names];
       if (lacking.count < kResting && frames.now->frame > lacking.last + 1) lacking = {};
       lacking.add(frames, overlap, tolerance, size, true);
-      resting_.marks.add(here(names, frames), options_);
+      is_lacking = true;
     }
     if (&list == &untold_ && overlap > -tolerance) {
       pushes_[of_a].push_back(-separation->normal);
@@ -197,22 +200,19 @@ class OverlapsWatch final : public Watch {
     const double reach = a->pose.position.norm() + b->pose.position.norm();
     const double up = separation->normal.isZero() ? (a->solid->is_convex() ? -1 : 1)
                                                   : separation->normal.dot(up_);
+    if (is_lacking) resting_.marks.add(here(names, frames), options_);
     if (std::abs(up) < kUpright) return;
     const bool rests = !is_deep && overlap > kMinimum * reach && !separation->normal.isZero();
     const bool is_hanging =
         overlap > -tolerance / 4 && hangs(solids, frames, up > 0 ? names.second : names.first);
     if (is_hanging) hanging_.insert(names);
-    if (rests || is_hanging) add_to(resting_, names, frames, overlap, tolerance, size, is_hanging);
+    if (!rests && !is_hanging) return;
+    resting_.pairs[names].add(frames, overlap, tolerance, size, is_hanging);
+    if (!is_lacking) resting_.marks.add(here(names, frames), options_);
   }
 
   static Mark here(const Names& names, const Moments& frames) {
     return {frames.now->frame, frames.now->line, names.first, names.second};
-  }
-
-  void add_to(List& list, const Names& names, const Moments& frames, double overlap,
-              double tolerance, double size, bool hangs = false) const {
-    list.pairs[names].add(frames, overlap, tolerance, size, hangs);
-    list.marks.add(here(names, frames), options_);
   }
 
   /// Whether the impulses that two bodies lack are those of a contact of these shapes.

@@ -49,12 +49,22 @@ INSTANTIATE_TEST_SUITE_P(
                     Foreign{"scene.glb", std::string("glTF\2\0\0\0", 8), "binary glTF"},
                     Foreign{"scene.gltf", "{\"asset\": {\"version\": \"2.0\"}}\n", "glTF (JSON)"},
                     Foreign{"scene.usda", "#usda 1.0\ndef Xform \"crate\"\n{\n}\n", "USD"},
+                    Foreign{"points.csv", "x,y,z\n1,2,3\n", "CSV"},
                     Foreign{"crate.obj", "# a crate\nv 0 0 0\nv 1 0 0\n", "a Wavefront .obj"}),
     [](const auto& test) {
       std::string name = test.param.name;
       name[name.find('.')] = '_';
       return name;
     });
+
+TEST(BadFiles, ACompressedFileIsToBeUnpacked) {
+  const TemporaryFolder folder;
+  for (const std::string magic : {"\x1f\x8b\x08", "\x28\xb5\x2f\xfd"}) {
+    const ProgramRun result = run("lint '" + folder.write("run.gz", magic + "\1\1\1") + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("unpack it"));
+  }
+}
 
 TEST(BadFiles, ADeviceAndAPipeAreRefusedBeforeTheyAreRead) {
   const TemporaryFolder folder;

@@ -148,6 +148,8 @@ TEST(FindVerb, ExitCodesAndErrors) {
                 HasSubstr("'" + word + "' is not a quantity; did you mean 'overlap'?"));
   EXPECT_THAT(run("find '" + file + "' 'velocity > 3'").err,
               HasSubstr("did you mean 'motion'? it is in metres since the frame before; known:"));
+  EXPECT_THAT(run("find '" + file + "' \"a == 'grund'\"").err,
+              HasSubstr("no shape is named 'grund'; did you mean 'ground'?"));
   const std::string broken = folder.write("broken.jsonl", crate_trace({4}) + "{\"frame\":1,}\n");
   const ProgramRun bad = run("find '" + broken + "' 'points > 4'");
   EXPECT_EQ(bad.exit_code, 2);

@@ -267,6 +267,11 @@ TEST(LintVerb, AnUnreadableTraceExitsWithTwo) {
   const std::string torn = folder.write("torn.jsonl", std::string(kHeader) + "\n{\"frame\":");
   EXPECT_EQ(run("lint '" + torn + "'").exit_code, 2);
   EXPECT_EQ(run("lint").exit_code, 2);
+  const ProgramRun headless = run("lint '" + folder.write("a.jsonl", "{\"frame\":0}\n") + "'");
+  EXPECT_EQ(headless.exit_code, 2);
+  EXPECT_THAT(headless.err, HasSubstr("this is a frame, and the first line is the header"));
+  EXPECT_THAT(run("lint '" + torn.substr(0, torn.rfind('/')) + "'").err,
+              HasSubstr("no scenario (*.toml) in this folder; give its traces, as "));
 }
 
 /// The content before a truncated line is linted, drawn and explored, with one message about it.

@@ -479,6 +479,26 @@ TEST(HeapPanels, LintListsThePairsOfTheFrameAndTheViewMarksThem) {
     }
 }
 
+TEST(HeapPanels, TheCameraLooksAcrossTwoNormalsAndSeesAllSteps) {
+  Heap heap(6);
+  trace::Pair& pair = heap.frames[0].pairs[0];
+  const Vec3d reported = pair.manifolds[0].normal;
+  for (const Vec3d& turned : {Vec3d(1, 0, 0), Vec3d(0, 0, 1), Vec3d(0.6, 0, 0.8)}) {
+    heap.view.focus = Focus::Worst;
+    heap.view.faults = {{"internal_edge", 1, 40, 0, {{0, pair.a, pair.b}}}};
+    heap.view.faults[0].places[0].normal = turned;
+    const Camera& camera = heap.staged().camera;
+    const Vec3d to_eye = camera.to_eye(pair.manifolds[0].points[0].position);
+    for (const Vec3d& normal : {reported, turned}) EXPECT_LT(std::abs(to_eye.dot(normal)), 0.5);
+  }
+  heap.view.faults = {{"bodies_fly_off", 2, 40, 0, {{0, "crate_3", ""}, {0, "crate_9", ""}}}};
+  const std::array<Vec3d, 2> first = {Vec3d(0, 0.1, 0), Vec3d(4, 6, 1)},
+                             second = {Vec3d(1, 0.1, 0), Vec3d(-3, 5, -2)};
+  heap.view.faults[0].places[0].path = first, heap.view.faults[0].places[1].path = second;
+  for (const std::array<Vec3d, 2>& path : {first, second})
+    for (const Vec3d& end : path) EXPECT_TRUE(heap.staged().camera.sees(end));
+}
+
 /// A finding has a line of time with a tick for each frame, and words about its first place.
 TEST(HeapPanels, LintShowsWhenEachFindingOccurs) {
   Heap heap(6);

@@ -85,6 +85,18 @@ TEST(LintBalance, ARestingPairThatIsNotReportedFromSomeFrameOnIsNamed) {
   });
 }
 
+/// The links of a chain overlap and push each other, and a joint does that, not a contact.
+TEST(LintBalance, JointsOfChainsAreNoMissingContacts) {
+  for (const int unrecorded : {0, 60, 200}) {
+    const Trace chains = recording_by(
+        &test::record_in_bullet,
+        {.world = test::World::Chains, .bodies = 30, .unrecorded = unrecorded, .frames = 120});
+    EXPECT_THAT(causes_of(lint(chains)), testing::Not(testing::Contains(testing::AnyOf(
+                                             "pair_never_reported", "overlap_without_contact"))))
+        << unrecorded;
+  }
+}
+
 TEST(LintBalance, APairThatIsLostOnceIsNamed) {
   expect_found("pairs_flicker", true, [](trace::Frame& frame, std::size_t pair, auto&) {
     frame.pairs.erase(frame.pairs.begin() + static_cast<std::ptrdiff_t>(pair));
@@ -99,6 +111,38 @@ TEST(LintBalance, PointsThatAreLostOnceAreNamed) {
                  std::shuffle(points.begin(), points.end(), random);
                  points.resize(kept);
                });
+}
+
+/// Where normals or separations jump all the time, a point that is lost once is their effect.
+TEST(LintBalance, JumpsExplainALostPointOfTheirPair) {
+  for (const Trace& stack : stack_of_each_engine())
+    for (const char* const name : {"separations are 100 mm less", "normals turn by 90 degrees"}) {
+      const Target target = targets(stack, 1).at(0);
+      Trace trace = stack;
+      const auto fault = std::ranges::find(faults(), std::string(name), &Fault::name);
+      seed(trace, *fault, target, Often::Always);
+      for (trace::Pair& pair : trace.frames[21].pairs)
+        if (pair.a == target.a && pair.b == target.b) pair.manifolds[0].points.resize(1);
+      const std::vector<Finding> findings = lint(trace);
+      ASSERT_FALSE(findings.empty()) << name;
+      EXPECT_EQ(findings[0].cause, fault->causes[0]) << name << ", " << trace.header.engine;
+      EXPECT_THAT(causes_of(findings), testing::Not(testing::Contains("points_flicker")));
+    }
+}
+
+TEST(LintBalance, EachFrameWithoutAContactIsMarked) {
+  Trace trace = stack_of_each_engine()[0];
+  const Target target = targets(trace, 1).at(0);
+  for (std::size_t f = 5; f < 25; ++f)
+    std::erase_if(trace.frames[f].pairs, [&](const trace::Pair& pair) {
+      return pair.a == target.a && pair.b == target.b;
+    });
+  for (const Finding& finding : lint(trace)) {
+    if (finding.cause != "overlap_without_contact" && finding.cause != "pair_never_reported")
+      continue;
+    EXPECT_EQ(finding.marks.size(), static_cast<std::size_t>(finding.count)) << finding.cause;
+    EXPECT_GT(finding.count, 5);
+  }
 }
 
 }  // namespace

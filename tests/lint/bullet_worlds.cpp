@@ -62,7 +62,7 @@ void record_in_bullet(const Recording& recording) {
           vector_of(2 * x, 1, 2 * z));
     }
   double top = 0;
-  for (int n = 0; n < recording.bodies; ++n) {
+  for (int n = 0; recording.world != World::Chains && n < recording.bodies; ++n) {
     const double height = half_extent(0, 1);
     if (is_heap)
       add(shape_of(recording.world, n), 2 + n % 3,
@@ -71,11 +71,35 @@ void record_in_bullet(const Recording& recording) {
       add(shape_of(recording.world, n), 2 + n % 3, vector_of(0.03 * n, top + height, 0.02 * n));
     top += 2 * height;
   }
+  std::vector<std::unique_ptr<btTypedConstraint>> joints;
+  const auto join = [&](std::unique_ptr<btTypedConstraint> joint) {
+    world.addConstraint(joint.get(), true);
+    joints.push_back(std::move(joint));
+  };
+  constexpr int kLinks = 5;
+  for (int n = 0; recording.world == World::Chains && n < recording.bodies; ++n) {
+    const int chain = n / kLinks, link = n % kLinks;
+    const double half = 0.5 * half_extent(chain, 0), tilt = 0.9 * scattered(chain, 1);
+    const btVector3 end = vector_of(0, half, 0);
+    add(std::make_unique<btBoxShape>(vector_of(half / 3, half, half / 3)), 1 + n % 3,
+        vector_of(scattered(chain, 0), 2, chain));
+    btRigidBody& body = *bodies.back();
+    btTransform pose(btQuaternion(vector_of(1, 0, 0.5).normalized(), btScalar(tilt)));
+    pose.setOrigin(vector_of(scattered(chain, 0), 2, chain) -
+                   pose.getBasis() * end * btScalar(2 * link));
+    body.setWorldTransform(pose);
+    body.setInterpolationWorldTransform(pose);
+    if (link == 0)
+      join(std::make_unique<btPoint2PointConstraint>(body, end));
+    else
+      join(std::make_unique<btPoint2PointConstraint>(*bodies[bodies.size() - 2], body, -end, end));
+  }
   for (int i = 0; i < recording.unrecorded; ++i) world.stepSimulation(btScalar(1.0 / 60), 0);
   {
     BulletRecorder recorder(world, recording.path.c_str());
     for (int i = 0; i < recording.frames; ++i) world.stepSimulation(btScalar(1.0 / 60), 0);
   }
+  for (const auto& joint : joints) world.removeConstraint(joint.get());
   for (const auto& body : bodies) world.removeRigidBody(body.get());
 }
 

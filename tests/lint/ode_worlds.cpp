@@ -28,6 +28,7 @@ void near_callback(void* data, dGeomID a, dGeomID b) {
 
 void record_in_ode(const Recording& recording) {
   dInitODE2(0);
+  dRandSetSeed(0);  // dWorldQuickStep shuffles its rows
   OdeWorld of{dWorldCreate(), dJointGroupCreate(0)};
   const dSpaceID space = dHashSpaceCreate(nullptr);
   dWorldSetGravity(of.world, 0, 0, dReal(-9.81));

@@ -180,6 +180,32 @@ TEST(LintOverTime, PointsThatAreKeptAreNotThePosesOfTheFrameBefore) {
   EXPECT_THAT(found_in(trace), Not(Contains("poses_of_frame_before")));
 }
 
+/// A body that has fallen off the world falls faster than anything flies; it hides no explosion.
+TEST(LintOverTime, BodiesThatFallForeverHideNoneThatFlyOff) {
+  Trace trace = heap();
+  const std::string falls = trace.frames[0].pairs[0].b, flies = trace.frames[0].pairs[3].b;
+  ASSERT_NE(falls, flies);
+  for (std::size_t f = 0; f < trace.frames.size(); ++f) {
+    trace::Frame& frame = trace.frames[f];
+    std::erase_if(frame.pairs,
+                  [&](const trace::Pair& pair) { return pair.a == falls || pair.b == falls; });
+    pose_of(frame, falls).position.y() = -20 - 0.8 * static_cast<double>(f);
+    if (f >= 20) pose_of(frame, flies).position += static_cast<double>(f - 19) * Vec3d(0.5, 1.5, 0);
+  }
+  const std::vector<Finding> findings = lint(trace);
+  const auto found = std::ranges::find(findings, "bodies_fly_off", &Finding::cause);
+  ASSERT_NE(found, findings.end());
+  EXPECT_EQ(found->a, flies);
+}
+
+TEST(LintOverTime, ToleranceThatHidesAllErrorsIsAHint) {
+  LintOptions options;
+  options.tolerance = 100;
+  Linter linter(heap().header, options);
+  for (const trace::Frame& frame : heap().frames) linter.frame(frame);
+  EXPECT_THAT(causes_of(linter.findings()), Contains("large_tolerance"));
+}
+
 TEST(LintOverTime, WhatStandsStillIsNotElsewhereForAFrame) {
   Trace trace = terrain();
   const auto mesh = std::ranges::find(trace.header.shapes, "mesh", &trace::Shape::type);

@@ -5,10 +5,12 @@
 /// Programs of three engines: they step a world, and record it with their adapters.
 namespace contactscope::test {
 
-enum class World { Stack, Heap };
+enum class World { Stack, Heap, Chains };
 
 /// Steps a world of so many bodies without a recorder, then records some frames to a file.
 /// A stack has boxes, each on the one below. A heap has boxes, spheres, capsules and hulls.
+/// Chains, of Bullet alone, have links of boxes that overlap at their joints and do not collide there;
+/// each hangs from a fixed point, and starts at an angle.
 struct Recording {
   World world = World::Stack;
   int bodies = 5;
