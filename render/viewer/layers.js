@@ -85,7 +85,7 @@ class Layers {
   /** The places that a finding names in a frame: as in pictures a wide ring, about the point, or the smaller body without one. */
   drawFinding(frame, finding) {
     const { bodies } = this, frames = recordsOf(frame);
-    this.marks = (finding ? finding.marked[frame] : []).slice(0, 20).map(({ key, at, normal, step }) => {
+    this.marks = (finding ? finding.marked[frame] : []).slice(0, 20).map(({ key, at, normal, step, from }) => {
       const both = key.split(' ').map(Number).filter(body => body >= 0), body = bodies.bySize(both)[0];
       const record = both.length < 2 ? undefined : frames.find(one => data.pairs[data.contacts.pair[one]].slice(0, 2).every(one => both.includes(one)));
       let nearest = null, least = Infinity;
@@ -93,7 +93,7 @@ class Layers {
         const far = at ? Math.hypot(...at.map((x, k) => x - positionOf(i)[k])) : data.points.separation[i];
         if (far < least) [least, nearest] = [far, { at: positionOf(i), point: i, normal, text: 'lint: ' + pointName(i, m, record) }];
       });
-      if (step && body !== undefined) this.drawStep(bodies.sphere(body).slice(0, 3), step);
+      if (step) this.drawStep(from, step);
       if (nearest && (!at || least < 0.02 * bodies.size)) return nearest;
       return { at: at || (body === undefined ? null : bodies.sphere(body).slice(0, 3)), text: 'lint' + (both.length === 1 ? ': ' + data.shapes[body].name : '') };
     }).filter(mark => mark.at);

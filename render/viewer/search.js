@@ -78,7 +78,7 @@ function nameFindings() {
       const [frame, ...both] = finding.marks.slice(i, i + 3), index = indices.get(frame), key = both.sort((a, b) => a - b).join(' ');
       if (index === undefined) continue;
       finding.places.push(index);
-      finding.marked[index].push({ key, at: finding.where[i / 3], normal: (finding.normals || [])[i / 3], step: (finding.steps || [])[i / 3] });
+      finding.marked[index].push({ key, at: finding.where[i / 3], normal: (finding.normals || [])[i / 3], step: (finding.steps || [])[i / 3], from: (finding.from || [])[i / 3] });
       finding.at.set(key, (finding.at.get(key) || new Set()).add(index));
       // A pair that the trace never has is known from here on.
       if (both[0] >= 0 && !pairs.has(key)) pairs.set(key, data.pairs.push([...both, '', '']) - 1);

@@ -86,6 +86,7 @@ ordered_json finding_json(const lint::Finding& finding, const std::map<std::stri
     add("where", mark.at);
     if (has_normals) add("normals", mark.normal);
     if (!has_paths) continue;
+    add("from", mark.path ? std::optional((*mark.path)[0]) : std::nullopt);
     add("steps",
         mark.path ? std::optional<Vec3d>((*mark.path)[1] - (*mark.path)[0]) : std::nullopt);
   }

@@ -253,7 +253,7 @@ TEST_F(InChromium, OpensOnTheFirstFindingAndFollowsUntilTheCameraIsMoved) {
       document.getElementById('search').requestSubmit();
       return [state.selection, data.frames[state.frame], text('found')];
     };
-    seen.searches = [enter('overlap > 0.5 mm and frame < 1'), enter('CRATE'), enter('overlp > 1 mm')];
+    seen.searches = [enter('overlap > 0.5 mm and frame < 1'), enter('CRATE'), enter('overlp > 1 mm'), enter('Slab, crate <b>&amp;'), enter('depth > 1 mm')];
     return seen;)",
                            scene);
   ASSERT_FALSE(page.contains("error")) << page["error"];
@@ -271,7 +271,11 @@ TEST_F(InChromium, OpensOnTheFirstFindingAndFollowsUntilTheCameraIsMoved) {
   EXPECT_EQ(page["free"].dump(), "[true,true]");
   EXPECT_EQ(page["searches"][0].dump(), R"([{"pair":0},0,"1 record in 1 frame"])");
   EXPECT_EQ(page["searches"][1].dump(), R"([{"body":1},0,"1 body"])");
-  EXPECT_THAT(page["searches"][2][2].get<std::string>(), HasSubstr("did you mean 'overlap'?"));
+  for (const int wrong : {2, 4})
+    EXPECT_THAT(page["searches"][wrong][2].get<std::string>(),
+                HasSubstr("did you mean 'overlap'?"));
+  EXPECT_EQ(page["searches"][3][0].dump(), R"({"pair":0})");
+  EXPECT_THAT(page["searches"][3][2].get<std::string>(), testing::EndsWith("records in 12 frames"));
 }
 
 /// Fourteen crates in a row, and one that flies off; the overlap is deepest in frame 0. The link has a
