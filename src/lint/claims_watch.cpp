@@ -149,7 +149,7 @@ class ClaimsWatch final : public Watch {
       // Or a gross error becomes one of an engine's approximations.
       const bool is_fewer =
           2 * then->wrong <= verdict->wrong ||
-          (then->wrong < verdict->wrong && kGross * then->farthest <= verdict->farthest);
+          (then->wrong <= verdict->wrong && kGross * then->farthest <= verdict->farthest);
       const bool is_smaller = wrong.gross && is_fewer && then->farthest <= kGross * then->tolerance;
       wrong.explained_by.set(e, is_smaller || kFixed * then->wrong <= verdict->wrong);
     }

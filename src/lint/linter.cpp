@@ -52,9 +52,6 @@ const std::vector<Cause>& causes_and_effects() {
        Cause::InPairs},
       {[](const std::string& cause) { return cause == "normals_jump" || cause == "depths_jump"; },
        {"separation", "normal", "deepest", "points_flicker"},
-       Cause::InMost},
-      {[](const std::string& cause) { return cause == "surface"; },
-       {"points_flicker"},
        Cause::InMost}};
   return all;
 }
