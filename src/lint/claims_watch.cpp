@@ -182,9 +182,12 @@ class ClaimsWatch final : public Watch {
       if (!wrong.beyond) continue;
       finding.count += wrong.times;
       pairs.try_emplace({wrong.a, wrong.b}, wrong.place()).first->second.count += wrong.times;
-      if (!wrong.is_copy)
-        marks.add({wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at}, &options_);
-      for (const Mark& other : wrong.others) marks.add(other, &options_);
+      std::vector<Mark> own = wrong.others;
+      if (!wrong.is_copy) own.push_back(wrong.mark());
+      for (Mark& mark : own) {
+        if (cause != "flipped_normals" && cause != "normal") mark.normal.reset();
+        marks.add(std::move(mark), &options_);
+      }
       if (wrong.grossly_beyond) finding.gross = std::max(finding.gross, wrong.size);
     }
     is_enough_ = is_enough_ || first == nullptr || all_gathered_ >= kOften * judged_;

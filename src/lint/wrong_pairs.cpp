@@ -41,6 +41,7 @@ void put_in_words(const trace::Pair& pair, WrongPair& wrong) {
   const trace::Manifold& manifold = at(pair.manifolds, problem.manifold);
   const trace::Point& point = at(manifold.points, problem.point);
   wrong.at = point.position;
+  wrong.normal = problem.best.isZero() ? Vec3d(-manifold.normal) : problem.best;
   switch (problem.kind) {
     case Wrong::Separation:
       wrong.said = point_name(problem) + ": separation " + metres(point.separation) + ", normal " +
@@ -77,7 +78,7 @@ void SteadyErrors::see(WrongPair& wrong) {
   if (times == 0 || !is_same || wrong.frame > last + 2) first = wrong, times = 0;
   last = wrong.frame;
   if (++times != kSteadyFrames) return;
-  const Mark own{wrong.frame, wrong.line, wrong.a, wrong.b, wrong.at};
+  const Mark own = wrong.mark();
   wrong = first;
   wrong.others.push_back(own);
   wrong.is_copy = true;
@@ -96,7 +97,7 @@ void WrongPairs::add(WrongPair pair, bool is_marked) {
     // With thousands of distinct errors their exact frequencies do not matter.
     if (known != places_.end() || kept_.size() >= (pair.gross ? 2 * kMax : kMax)) {
       WrongPair& as = kept_[known != places_.end() ? known->second : kept_.size() - 1];
-      if (is_marked) as.others.push_back({pair.frame, pair.line, pair.a, pair.b, pair.at});
+      if (is_marked) as.others.push_back(pair.mark());
       return void(++as.times);
     }
     places_.emplace(std::move(signature), kept_.size());

@@ -17,7 +17,8 @@ struct WrongPair {
   std::string a, b;
   Problem problem;
   std::string said{}, is{};
-  std::optional<Vec3d> at{};  // the point of the problem, world
+  std::optional<Vec3d> at{};      // the point of the problem, world
+  std::optional<Vec3d> normal{};  // of the shapes, or the opposite of the record's, world
   double deeper = 0;          // metres of excess overlap if all points agree; else 0
   /// The scale of a, of b, or of both alike, under which all points fit, and the margin of a or of b
   /// as such a scale; 0: there is none.
@@ -26,6 +27,7 @@ struct WrongPair {
   /// The shape that a scale is of; none for that of both.
   std::string scaled(std::size_t scale) const { return scale == 2 ? "" : scale % 3 == 0 ? a : b; }
   OfPair place() const { return {a, b, 0, line, frame, said, is}; }
+  Mark mark() const { return {frame, line, a, b, at, normal}; }
   double size = 1;  // of the error, relative to the smaller shape
   std::bitset<kMaxExplanations> explained_by{};
   bool gross = false;                          // beyond most of an engine's approximations
