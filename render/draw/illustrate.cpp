@@ -1,4 +1,3 @@
-#include <cctype>
 #include <list>
 
 #include "draw/panels/panel.h"

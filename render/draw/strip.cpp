@@ -1,8 +1,5 @@
 #include "draw/strip.h"
 
-#include <cstdlib>
-#include <sstream>
-
 #include "draw/panels/panel.h"
 
 namespace contactscope::draw {

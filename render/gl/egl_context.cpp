@@ -3,8 +3,6 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-#include <sstream>
-
 #include "gl/routes.h"
 
 namespace contactscope::gl {

@@ -1,7 +1,5 @@
 #include "gl/rasterizer.h"
 
-#include <cstring>
-
 namespace contactscope::gl {
 
 /// shaders/*.glsl, embedded by the build.

@@ -31,4 +31,15 @@ std::string gzip(std::string_view bytes);
 /// or holds more than 2 GiB.
 std::string gunzip(std::string_view file);
 
+// whole_file.cpp
+
+/// Writes a file atomically: the bytes go to a hidden file in the same folder, which is then
+/// renamed. Readers never see a partial file. Replaces an existing file. Throws
+/// std::filesystem::filesystem_error with path and reason.
+void write_whole_file(const std::string& path, std::span<const std::uint8_t> bytes);
+
+/// Reads a regular file. Throws std::filesystem::filesystem_error, and std::runtime_error for a
+/// pipe or device, which may be endless.
+std::vector<std::uint8_t> read_whole_file(const std::string& path);
+
 }  // namespace contactscope

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "image/whole_file.h"
+#include "image/encoding.h"
 
 // Only reads the font. Static, so that no shared library of another version can replace it.
 #define STBTT_STATIC

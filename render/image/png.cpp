@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "image/whole_file.h"
+#include "image/encoding.h"
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION

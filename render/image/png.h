@@ -69,4 +69,16 @@ struct PictureOrigin {
 /// Non-empty entries as keys and values, in a fixed order. Keys are Latin letters, as PNG requires.
 std::vector<std::pair<std::string, std::string>> entries_of(const PictureOrigin& origin);
 
+// terminal.cpp: pictures for display in a terminal, with a final newline.
+
+/// Kitty graphics protocol, also supported by other terminals: the PNG itself, in pieces.
+std::string to_kitty(std::string_view png);
+
+/// Two pixels per character in 24-bit colours, for any modern terminal. Scales the picture to
+/// `columns` by averaging pixels.
+std::string to_half_blocks(const Image& image, int columns);
+
+/// Reduces a picture to at most this width by averaging pixels.
+Image shrunk(const Image& image, int width);
+
 }  // namespace contactscope

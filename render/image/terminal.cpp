@@ -1,4 +1,4 @@
-#include "image/terminal.h"
+#include "image/png.h"
 
 #include <algorithm>
 #include <array>

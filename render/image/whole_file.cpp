@@ -1,4 +1,4 @@
-#include "image/whole_file.h"
+#include "image/encoding.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

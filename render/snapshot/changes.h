@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "snapshot/finding.h"
 #include "snapshot/spelling.h"
 #include "trace/minkowski.h"

@@ -1,7 +1,6 @@
 #include "snapshot/compare_trace.h"
 
 #include <deque>
-#include <sstream>
 
 #include "snapshot/store.h"
 

@@ -1,7 +1,5 @@
 #include "snapshot/frame_hashes.h"
 
-#include <sstream>
-
 #include "snapshot/compare_facts.h"
 
 namespace contactscope::snapshot {

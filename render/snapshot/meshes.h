@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "core/standard.h"
 
 /// Stores each large mesh of traces once, in a file named by a hash of its content:

@@ -1,12 +1,10 @@
 #include "snapshot/store.h"
 
 #include <fstream>
-#include <sstream>
 
 #include "core/input_error.h"
 #include "core/spell.h"
 #include "image/encoding.h"
-#include "image/whole_file.h"
 #include "snapshot/meshes.h"
 
 namespace contactscope::snapshot {

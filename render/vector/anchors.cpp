@@ -1,4 +1,4 @@
-#include "vector/anchors.h"
+#include "vector/pieces.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,6 @@
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 
-#include <cstdlib>
 #include <ctime>
 
 #include "vector/font_subset.h"

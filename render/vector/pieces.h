@@ -1,6 +1,6 @@
 #pragma once
 
-#include "draw/scene/drawing.h"
+#include "draw/staging.h"
 
 /// Converts a Drawing for vector files: in as few paths as possible.
 namespace contactscope::vector {
@@ -57,5 +57,13 @@ std::vector<Group> groups_of(const draw::Drawing& drawing);
 
 /// Position of a text in the rasterizer.
 PlacedText placed(const Text& text);
+
+// anchors.cpp
+
+/// Positions of contact points, normals, faces, shapes, labels and rectangles in a picture, as
+/// JSON: in pixels and as fractions of its size. README.md of this folder lists the keys. Omits
+/// objects behind the eye or outside the view. `drawing` is that of the frame, with panels.
+std::string anchors_of(const draw::Staging& staging, const trace::Frame& frame,
+                       const draw::Drawing& drawing);
 
 }  // namespace contactscope::vector

@@ -1,7 +1,5 @@
 #include "vector/svg.h"
 
-#include <cctype>
-
 #include "core/spell.h"
 #include "vector/pieces.h"
 

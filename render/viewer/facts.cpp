@@ -1,7 +1,5 @@
 #include "viewer/facts.h"
 
-#include <cstdlib>
-
 #include "core/spell.h"
 #include "trace/find.h"
 #include "trace/json.h"

@@ -1,8 +1,8 @@
 #include "continuous/portal_cast.h"
 
 #include "geometry/lanes.h"
+#include "query/gjk.h"
 #include "query/minkowski_difference.h"
-#include "query/simplex.h"
 
 namespace contactscope {
 namespace {

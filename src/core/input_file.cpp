@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <system_error>
 
 #include "core/input_error.h"

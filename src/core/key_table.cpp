@@ -1,8 +1,6 @@
 #include "core/key_table.h"
 
-#include <charconv>
 #include <regex>
-#include <sstream>
 
 namespace contactscope {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstring>
 #ifdef __SSE2__
 #include <immintrin.h>
 #endif

@@ -1,7 +1,5 @@
 #include "core/spell.h"
 
-#include <charconv>
-
 namespace contactscope {
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {

@@ -1,7 +1,5 @@
 #include "field/triangle_sieve.h"
 
-#include "field/lean.h"
-
 namespace contactscope {
 namespace {
 

@@ -4,6 +4,26 @@
 
 namespace contactscope {
 
+// lean.cpp
+
+/// Bounds, as tangents, on how far the direction from a point to its nearest surface point leans
+/// from the normal of the triangle there. One per triangle; kAnyLean if unknown.
+///
+/// Inside a triangle the direction is its normal. On an edge it is between the normals of both
+/// triangles. At a vertex v the direction d makes no acute angle with an edge there, d.e <= 0: the
+/// normal cone of v. Let m be the mean of the normals around v. Let all edges be within an angle a
+/// of the plane perpendicular to m, and neighbouring ones, seen along m, within an angle g < 180
+/// degrees. Then some edge is within g/2 of d's part in that plane, and d.e <= 0 limits the angle b
+/// of d and m:
+///
+///     tan b  <=  tan a / cos(g/2).
+///
+/// The bound is small for triangles that approximate a smooth surface. It needs neighbours all
+/// around each vertex; triangles without them have kAnyLean.
+std::vector<float> largest_leans(const Mesh<double>& mesh);
+
+inline constexpr float kAnyLean = 1e9F;
+
 /// Finds the triangles of a surface that can be nearest to a point, or to a point of a cube, four
 /// at a time in single precision; a double decides among the rest. Points are in a lattice whose
 /// corner is the origin, exact in float, like all multiples of 1/8 cell up to 2^20.
@@ -16,7 +36,7 @@ namespace contactscope {
 ///
 /// On a flat surface this leaves a disc about q with a radius of some three h, at any distance of
 /// the cube. Any other surface point can replace q, but leaves more triangles. The direction from p
-/// to x also leans little from the triangle's normal (lean.h): the cube must meet the prism over
+/// to x also leans little from the triangle's normal (largest_leans): the cube must meet the prism over
 /// the triangle, its sides tilted outward by the lean. This leaves little but the cube's shadow.
 class TriangleSieve {
   using Floats = lanes::Pack<float>;

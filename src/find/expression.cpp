@@ -1,8 +1,5 @@
 #include "find/expression.h"
 
-#include <cctype>
-#include <charconv>
-
 #include "core/key_table.h"
 #include "core/spell.h"
 

@@ -1,8 +1,5 @@
 #include "geometry/hull_builder.h"
 
-#include <charconv>
-#include <sstream>
-
 #include "core/convex_polygon.h"
 #include "geometry/quickhull.h"
 #include "geometry/shape.h"

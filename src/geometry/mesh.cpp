@@ -133,6 +133,40 @@ template <class S> AabbTree<S> new_tree(const Mesh<S>& mesh) {
       })));
 }
 
+Mesh<double> build(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
+                   bool keeps_flat, MeshReport& found) {
+  found = {};
+  require_finite(vertices);
+  require_vertices(triangles, count_of(vertices));
+
+  Mesh<double> mesh;
+  mesh.vertices = std::move(vertices);
+  mesh.triangles = std::move(triangles);
+  std::size_t kept = 0;
+  for (int i = 0; i < mesh.triangle_count(); ++i) {
+    const Vec3d normal = normal_of(mesh, i);
+    if (!keeps_flat && normal.isZero(0)) {
+      found.zero_area_triangles.push_back(i);
+      continue;
+    }
+    mesh.normals.push_back(normal);
+    mesh.triangles[kept++] = at(mesh.triangles, i);
+  }
+  if (kept == 0)
+    throw ShapeError(mesh.triangles.empty()
+                         ? "the mesh has no triangle; give at least one"
+                         : "every triangle of the mesh has zero area; give one whose corners are "
+                           "not on a line");
+  mesh.triangles.resize(kept);
+  std::vector<TriangleEdge> alone;
+  mesh.neighbours = find_neighbours(mesh.vertices, mesh.triangles, found, alone);
+  mesh.seams = find_seams(mesh, alone);
+  classify_edges(mesh);
+  find_slivers(mesh);
+  mesh.tree = new_tree(mesh);
+  return mesh;
+}
+
 }  // namespace
 
 Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -199,44 +233,6 @@ template <class S> void classify_edges(Mesh<S>& mesh) {
   }
   for (int t = 0; t < mesh.triangle_count(); ++t) at(mesh.regions, t) = root(t);
 }
-
-namespace {
-
-Mesh<double> build(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
-                   bool keeps_flat, MeshReport& found) {
-  found = {};
-  require_finite(vertices);
-  require_vertices(triangles, count_of(vertices));
-
-  Mesh<double> mesh;
-  mesh.vertices = std::move(vertices);
-  mesh.triangles = std::move(triangles);
-  std::size_t kept = 0;
-  for (int i = 0; i < mesh.triangle_count(); ++i) {
-    const Vec3d normal = normal_of(mesh, i);
-    if (!keeps_flat && normal.isZero(0)) {
-      found.zero_area_triangles.push_back(i);
-      continue;
-    }
-    mesh.normals.push_back(normal);
-    mesh.triangles[kept++] = at(mesh.triangles, i);
-  }
-  if (kept == 0)
-    throw ShapeError(mesh.triangles.empty()
-                         ? "the mesh has no triangle; give at least one"
-                         : "every triangle of the mesh has zero area; give one whose corners are "
-                           "not on a line");
-  mesh.triangles.resize(kept);
-  std::vector<TriangleEdge> alone;
-  mesh.neighbours = find_neighbours(mesh.vertices, mesh.triangles, found, alone);
-  mesh.seams = find_seams(mesh, alone);
-  classify_edges(mesh);
-  find_slivers(mesh);
-  mesh.tree = new_tree(mesh);
-  return mesh;
-}
-
-}  // namespace
 
 Mesh<double> build_mesh(std::vector<Vec3d> vertices, std::vector<std::array<int, 3>> triangles,
                         MeshReport* report) {

@@ -1,7 +1,5 @@
 #include "geometry/mesh_file.h"
 
-#include <charconv>
-#include <filesystem>
 #include <fstream>
 #include "core/input_error.h"
 #include "core/spell.h"

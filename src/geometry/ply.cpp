@@ -1,4 +1,3 @@
-#include <cstring>
 #include "core/input_error.h"
 #include "geometry/mesh_contents.h"
 

@@ -1,7 +1,5 @@
 #include "geometry/primitives.h"
 
-#include <sstream>
-
 #include "geometry/box_topology.h"
 #include "geometry/hull_builder.h"
 

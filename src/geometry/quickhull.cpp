@@ -210,6 +210,30 @@ constexpr double kPartOfThickness = 1.0 / 100;
 /// Rounding error of double arithmetic at coordinates of magnitude 1, as in hull_builder.cpp.
 constexpr double kRounding = 9 * std::numeric_limits<double>::epsilon();
 
+/// `growing`: tolerance until all points are added, at most `tolerance`.
+Result run(std::span<const Vec3d> points, double growing, double tolerance, double steepest) {
+  const Simplex simplex = initial_simplex(points, growing);
+  if (simplex.status != Status::Done) return {.status = simplex.status};
+  const double most = kPartOfThickness * simplex.thickness;
+  Builder builder(points, std::min(growing, most));
+  builder.start(simplex.points);
+  builder.grow(std::min(tolerance, most), steepest);
+  const Mesh& mesh = builder.mesh();
+  if (mesh.broken() || !is_convex(mesh, kSlack * std::min(tolerance, most)))
+    return {.status = Status::Unresolved};
+  Result result{.shortest_edge = std::numeric_limits<double>::infinity()};
+  for (const int face : mesh.faces()) {
+    result.faces.push_back(mesh.loop(face));
+    for (const int e : mesh.around(face)) {
+      const double length = (mesh.point(mesh.target(e)) - mesh.point(mesh.edge(e).origin)).norm();
+      result.shortest_edge = std::min(result.shortest_edge, length);
+      result.steepest_edge =
+          std::max(result.steepest_edge, mesh.slope(e, mesh.face(face).plane.normal));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
@@ -255,34 +279,6 @@ Simplex initial_simplex(std::span<const Vec3d> points, double tolerance) {
     std::swap(a, b);  // the fourth must be below the plane of the three
   return simplex;
 }
-
-namespace {
-
-/// `growing`: tolerance until all points are added, at most `tolerance`.
-Result run(std::span<const Vec3d> points, double growing, double tolerance, double steepest) {
-  const Simplex simplex = initial_simplex(points, growing);
-  if (simplex.status != Status::Done) return {.status = simplex.status};
-  const double most = kPartOfThickness * simplex.thickness;
-  Builder builder(points, std::min(growing, most));
-  builder.start(simplex.points);
-  builder.grow(std::min(tolerance, most), steepest);
-  const Mesh& mesh = builder.mesh();
-  if (mesh.broken() || !is_convex(mesh, kSlack * std::min(tolerance, most)))
-    return {.status = Status::Unresolved};
-  Result result{.shortest_edge = std::numeric_limits<double>::infinity()};
-  for (const int face : mesh.faces()) {
-    result.faces.push_back(mesh.loop(face));
-    for (const int e : mesh.around(face)) {
-      const double length = (mesh.point(mesh.target(e)) - mesh.point(mesh.edge(e).origin)).norm();
-      result.shortest_edge = std::min(result.shortest_edge, length);
-      result.steepest_edge =
-          std::max(result.steepest_edge, mesh.slope(e, mesh.face(face).plane.normal));
-    }
-  }
-  return result;
-}
-
-}  // namespace
 
 Result run(std::span<const Vec3d> points, double tolerance) {
   return run(points, tolerance, tolerance, 1);

@@ -182,12 +182,8 @@ class ClaimsWatch final : public Watch {
       if (!wrong.beyond) continue;
       finding.count += wrong.times;
       pairs.try_emplace({wrong.a, wrong.b}, wrong.place()).first->second.count += wrong.times;
-      std::vector<Mark> own = wrong.others;
-      if (!wrong.is_copy) own.push_back(wrong.mark());
-      for (Mark& mark : own) {
-        if (cause != "flipped_normals" && cause != "normal") mark.normal.reset();
-        marks.add(std::move(mark), &options_);
-      }
+      if (!wrong.is_copy) marks.add(wrong.mark(), &options_);
+      for (const Mark& other : wrong.others) marks.add(other, &options_);
       if (wrong.grossly_beyond) finding.gross = std::max(finding.gross, wrong.size);
     }
     is_enough_ = is_enough_ || first == nullptr || all_gathered_ >= kOften * judged_;
@@ -196,6 +192,8 @@ class ClaimsWatch final : public Watch {
     finding.is_severe = first->severe, finding.size = first->size;
     marks.put_in(finding);
     std::ranges::stable_sort(finding.marks, {}, &Mark::frame);
+    for (Mark& mark : finding.marks)
+      if (cause != "flipped_normals" && cause != "normal") mark.normal.reset();
     for (const auto& [names, one] : pairs) finding.pairs.push_back(one);
     if (finding.gross == 0 && finding.count < kOften * judged_) finding.below = kFewAndSmall;
     return finding;

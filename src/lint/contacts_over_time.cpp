@@ -7,8 +7,7 @@ namespace {
 constexpr double kBeyond = std::numeric_limits<double>::infinity();
 /// Frames without a contact after which its return is a new contact.
 constexpr int kMaxGap = 10;
-/// Relative to the smaller shape: displacement of b as seen from a, and distance of two points that
-/// are the same point in two frames.
+/// Relative to the smaller shape: b's displacement seen from a, and that of one point in two frames.
 constexpr double kAtRest = 2e-3, kPairAtRest = 2e-2, kOnePoint = 1e-2;
 /// Points closer than this share of the smaller shape are one point.
 constexpr double kDoubled = 1e-6;
@@ -27,15 +26,15 @@ constexpr double kFlipped = 150 * std::numbers::pi / 180;
 
 /// A contact point, and what the shapes measure there.
 struct Spot {
-  Vec3d in_a;                     // shape a's frame
-  Vec3d normal;                   // shape a's frame, from a to b
+  Vec3d in_a, normal;             // shape a's frame; the normal from a to b
   double reported = 0;            // separation
   double measured = 0;            // likewise; positive infinity: cannot be measured
   double excess = 0;              // overlap along the normal beyond the least overlap; 0 for meshes
   Vec3d impulse = Vec3d::Zero();  // N s, world; zero: not known
-  // Where it is in its frame.
-  const trace::Manifold* manifold = nullptr;
+  const trace::Manifold* manifold = nullptr;  // its own, in its frame
   const trace::Point* point = nullptr;
+
+  bool carries() const { return !impulse.isZero(); }
 };
 
 /// A separation or a normal that changed although the shapes stayed. It is a fault if it changes back.
@@ -282,11 +281,8 @@ class ContactsWatch final : public Watch {
              (one->impulse - of_lost).norm() <= kAbout * one->impulse.norm();
     };
     // Where all impulses of a pair are missing, no point is.
-    const bool carries = spots.empty() || std::ranges::any_of(spots, [](const Spot& spot) {
-                           return !spot.impulse.isZero();
-                         });
-    const bool is_missed =
-        carries && (lacks(std::get<0>(key), -impulse) || lacks(std::get<1>(key), impulse));
+    const bool is_missed = (spots.empty() || std::ranges::any_of(spots, &Spot::carries)) &&
+                           (lacks(std::get<0>(key), -impulse) || lacks(std::get<1>(key), impulse));
     for (std::size_t i = first; i < known.lost.size(); ++i) known.lost[i].is_missed = is_missed;
   }
 

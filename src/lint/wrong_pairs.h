@@ -19,7 +19,7 @@ struct WrongPair {
   std::string said{}, is{};
   std::optional<Vec3d> at{};      // the point of the problem, world
   std::optional<Vec3d> normal{};  // of the shapes, or the opposite of the record's, world
-  double deeper = 0;          // metres of excess overlap if all points agree; else 0
+  double deeper = 0;              // metres of excess overlap if all points agree; else 0
   /// The scale of a, of b, or of both alike, under which all points fit, and the margin of a or of b
   /// as such a scale; 0: there is none.
   std::array<double, 5> scales{};

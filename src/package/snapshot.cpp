@@ -1,8 +1,6 @@
-#include <cstdlib>
-
+#include "package/contactscope/snapshot.h"
 #include "core/convex_polygon.h"
 #include "image/png.h"
-#include "package/contactscope/snapshot.h"
 #include "package/facts.h"
 #include "snapshot/compare_trace.h"
 #include "snapshot/meshes.h"

@@ -1,6 +1,3 @@
-#include <cstdlib>
-#include <sstream>
-
 #include "app/cli/trace_file.h"
 #include "core/input_error.h"
 #include "package/facts.h"

@@ -179,40 +179,6 @@ bool best_edge_pair(const Hull<S>& hull, const Vec3<S> (&ends)[2],
   return stands;
 }
 
-}  // namespace
-
-/// On the Gauss map the segment is a ring: the great circle of all directions perpendicular to it,
-/// along which both of its ends are equally deep. An edge of the hull is the arc between the
-/// normals of its faces f and g. They make a face of the Minkowski difference where the arc crosses
-/// the ring: the segment rises above one face and sinks below the other.
-///
-///          f .                         rise(f) = n_f . u > 0
-///             \                        rise(g) = n_g . u < 0
-///    ----------x---------- ring of u   The normal is x = e x u, with e along the half-edge whose
-///               \                      left face is f: n_f x (e x u) = (n_f . u) e, so x lies
-///                . g                   between n_f and n_g (otherwise it is -x).
-///
-/// Steps: 1. for every face, measure the lower end's distance from its plane; 2. for every edge
-/// whose arc crosses the ring, measure the segment's distance along x, unless the ends of the arc
-/// prove that it cannot beat the best so far.
-template <class S>
-CapsuleSat<S> capsule_sat(const Hull<S>& hull, const Vec3<S> (&ends)[2], S reach, S tie) {
-  const FaceDistances<S> distances(hull, ends);
-  CapsuleSat<S> result;
-  best_face(hull, ends, distances, tie, result);
-  if (result.face_separation > reach) return result;
-  Scratch<int, 192> edges(hull.edge_count());
-  const S bound = std::min(result.face_separation, S(0));
-  const int count = crossing_edges(hull, distances, bound, edges.data());
-  if (!best_edge_pair(hull, ends, distances, edges.data(), count, tie, Check::Last, result)) {
-    result.edge = -1;
-    best_edge_pair(hull, ends, distances, edges.data(), count, tie, Check::Every, result);
-  }
-  return result;
-}
-
-namespace {
-
 template <class S>
 CapsuleTouch<S> face_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2], int face, S scale) {
   const Plane<S>& plane = at(hull.planes, face);
@@ -311,6 +277,36 @@ CapsuleTouch<S> closest_touch(const Hull<S>& hull, const Vec3<S> (&ends)[2],
 }
 
 }  // namespace
+
+/// On the Gauss map the segment is a ring: the great circle of all directions perpendicular to it,
+/// along which both of its ends are equally deep. An edge of the hull is the arc between the
+/// normals of its faces f and g. They make a face of the Minkowski difference where the arc crosses
+/// the ring: the segment rises above one face and sinks below the other.
+///
+///          f .                         rise(f) = n_f . u > 0
+///             \                        rise(g) = n_g . u < 0
+///    ----------x---------- ring of u   The normal is x = e x u, with e along the half-edge whose
+///               \                      left face is f: n_f x (e x u) = (n_f . u) e, so x lies
+///                . g                   between n_f and n_g (otherwise it is -x).
+///
+/// Steps: 1. for every face, measure the lower end's distance from its plane; 2. for every edge
+/// whose arc crosses the ring, measure the segment's distance along x, unless the ends of the arc
+/// prove that it cannot beat the best so far.
+template <class S>
+CapsuleSat<S> capsule_sat(const Hull<S>& hull, const Vec3<S> (&ends)[2], S reach, S tie) {
+  const FaceDistances<S> distances(hull, ends);
+  CapsuleSat<S> result;
+  best_face(hull, ends, distances, tie, result);
+  if (result.face_separation > reach) return result;
+  Scratch<int, 192> edges(hull.edge_count());
+  const S bound = std::min(result.face_separation, S(0));
+  const int count = crossing_edges(hull, distances, bound, edges.data());
+  if (!best_edge_pair(hull, ends, distances, edges.data(), count, tie, Check::Last, result)) {
+    result.edge = -1;
+    best_edge_pair(hull, ends, distances, edges.data(), count, tie, Check::Every, result);
+  }
+  return result;
+}
 
 /// The talk uses GJK first and the separating axis test if it fails. We test axes first: if a face,
 /// or an edge and the segment, are closest, their axis has the exact distance, and the same code

@@ -1,7 +1,6 @@
 #include "query/gjk.h"
 
 #include "query/penetration_bounds.h"
-#include "query/simplex.h"
 
 namespace contactscope {
 namespace {

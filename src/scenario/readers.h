@@ -1,10 +1,7 @@
 #pragma once
 
-#include <filesystem>
-
 #include <toml++/toml.h>
 
-#include "scenario/keys.h"
 #include "scenario/scenario.h"
 
 /// Typed access to a TOML file, with line and column in every error, and the readers of each table
@@ -17,7 +14,7 @@ namespace contactscope::scenario_file {
 using Keys = std::vector<std::string_view>;
 
 /// One value of the file. `name` appears in messages: "half_extents" or "vertices[3]". Its type and
-/// limits are those of its key (keys.h). Refers to the document and the file's name.
+/// limits are those of its key (key_table()). Refers to the document and the file's name.
 class Value {
  public:
   Value(const std::string& file, const toml::node& node, std::string name, const Key* key = nullptr)
@@ -208,6 +205,12 @@ WorldSettings read_world(const std::optional<Value>& value, const std::string& u
 /// [solver]. Lengths are adjusted to the smallest dynamic one of `shapes`.
 SolverSettings read_solver(const std::optional<Value>& value,
                            const std::vector<ScenarioShape>& shapes);
+// scenario.cpp
+
+/// A [words] table: texts of pictures, or `names`, with their replacements. Throws InputError for an
+/// unknown text, or if a replacement loses its place.
+Words read_words_table(const Value& table, const std::vector<std::string_view>& names);
+
 // views.cpp
 
 /// A title with valid placeholders; see view/title.h.

@@ -1,12 +1,10 @@
 #include "scenario/scenario.h"
 
-#include <cctype>
 #include <fstream>
 #include <system_error>
 
 #include "core/spell.h"
 #include "scenario/readers.h"
-#include "scenario/words_file.h"
 
 namespace contactscope {
 namespace {
@@ -236,6 +234,35 @@ std::vector<std::string_view> names_in_pictures(const Scenario& scenario) {
   for (const ScenarioPair& pair : scenario.pairs) names.push_back(pair.label);
   std::erase(names, "");
   return names;
+}
+
+Words scenario_file::read_words_table(const Value& table,
+                                      const std::vector<std::string_view>& names) {
+  std::vector<std::string_view> known = known_words();
+  known.insert(known.end(), names.begin(), names.end());
+  Words words;
+  for (const Value& entry : table.members()) {
+    if (std::ranges::find(known, entry.name()) == known.end()) {
+      const std::string near = nearest(entry.name(), known);
+      entry.fail(
+          "no picture has the word '" + entry.name() + "'; " +
+          (near.empty() ? "`contactscope list words` prints all" : "did you mean '" + near + "'?"));
+    }
+    const std::string by = entry.string();
+    if (!by.empty() && place_in(by) != place_in(entry.name()))
+      entry.fail("'" + by + "' and '" + entry.name() + "' need the same place in braces");
+    if (std::ranges::find(names, entry.name()) != names.end())
+      words.rename(entry.name(), by);
+    else
+      words.replace(entry.name(), by);
+  }
+  return words;
+}
+
+Words load_words(const std::string& path, const std::vector<std::string_view>& names) {
+  const toml::table document = scenario_file::read_document(path);
+  const auto table = Value(path, document, "").find("words");
+  return table ? scenario_file::read_words_table(*table, names) : Words();
 }
 
 std::vector<View> load_views(const std::string& path) {

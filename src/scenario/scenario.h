@@ -1,10 +1,12 @@
 #pragma once
 
 #include "continuous/impact_of_shapes.h"
+#include "core/key_table.h"
 #include "dynamics/solver_settings.h"
 #include "manifold/pair_query.h"
 #include "scenario/deform.h"
 #include "view/view.h"
+#include "view/words.h"
 
 /// Contents of a scenario file, parsed and checked; scenarios/README.md documents the format.
 namespace contactscope {
@@ -217,4 +219,20 @@ Pose<double> collider_pose_at(const ScenarioShape& shape, double time);
 /// its own pose without rounding, which would be multiplied by the distance.
 Pose<double> recorded_pose(const ScenarioShape& shape, double time, const Pose<double>& collider);
 
+/// Names of a scenario that appear in pictures: of shapes and their kinds, and labels of pairs.
+std::vector<std::string_view> names_in_pictures(const Scenario& scenario);
+
+/// The [words] table of a file, which may contain more; empty without one. `names` can be replaced
+/// in addition to the built-in texts. Throws InputError.
+Words load_words(const std::string& path, const std::vector<std::string_view>& names);
+
+namespace scenario_file {
+
+/// The keys of scenario files. The tables are those of scenarios/README.md, which is built in.
+const std::vector<KeyTable>& key_tables();
+
+/// The table of a name: "The file", "solver", "Box", "rotation".
+const KeyTable& key_table(std::string_view name);
+
+}  // namespace scenario_file
 }  // namespace contactscope

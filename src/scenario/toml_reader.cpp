@@ -1,7 +1,5 @@
 #include "scenario/readers.h"
 
-#include <sstream>
-
 #include "core/spell.h"
 
 namespace contactscope {

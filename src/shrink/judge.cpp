@@ -1,7 +1,5 @@
 #include "shrink/shrink.h"
 
-#include <cctype>
-
 #include "find/finder.h"
 #include "scenario/run.h"
 #include "versus/comparison.h"

@@ -1,7 +1,5 @@
 #include "shrink/shrink.h"
 
-#include <cstdlib>
-
 #include "core/spell.h"
 
 namespace contactscope::shrink {

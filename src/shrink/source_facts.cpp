@@ -1,7 +1,5 @@
 #include "shrink/shrink.h"
 
-#include <cctype>
-
 namespace contactscope::shrink {
 namespace {
 

@@ -1,7 +1,7 @@
 #include "geometry/primitives.h"
 #include "query/closest_points.h"
+#include "query/gjk.h"
 #include "query/minkowski_difference.h"
-#include "query/simplex.h"
 #include "query/tolerance.h"
 #include "query/v_clip.h"
 #include "query/voronoi_region.h"

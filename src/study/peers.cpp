@@ -1,7 +1,5 @@
 #include "study/peers.h"
 
-#include <sstream>
-
 #include "versus/request.h"
 
 namespace contactscope {

@@ -1,7 +1,5 @@
 #include "trace/json.h"
 
-#include <cctype>
-
 #include "trace/exploration.h"
 #include "trace/json_node.h"
 #include "trace/listed_json.h"

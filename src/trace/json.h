@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 
+#include "core/key_table.h"
 #include "trace/trace.h"
 
 namespace contactscope::trace {
@@ -26,5 +27,14 @@ struct Trace {
 /// column is 1. Unknown keys are ignored so that other engines can add their own; keys that
 /// README.md does not call needed may be missing or null. Blank lines are skipped.
 Trace read_trace(std::istream& in, const std::string& name);
+
+// reference.cpp: the keys of a trace. The tables are those of README.md, which is built in.
+
+/// "Header", "Shape", "Frame", "Pair", "Manifold", "Point", and "Stages", whose sentences also name the
+/// keys in each stage.
+const std::vector<KeyTable>& fact_tables();
+
+/// A key of one of these tables; null if it is not there.
+const Key* fact_key(std::string_view table, std::string_view key);
 
 }  // namespace contactscope::trace

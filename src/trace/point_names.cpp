@@ -1,4 +1,4 @@
-#include "trace/point_names.h"
+#include "trace/find.h"
 
 #include "core/feature_id.h"
 

@@ -4,8 +4,8 @@
 
 #include "core/input_error.h"
 #include "core/spell.h"
+#include "trace/json.h"
 #include "trace/json_node.h"
-#include "trace/reference.h"
 
 namespace contactscope::trace {
 namespace {

@@ -1,4 +1,4 @@
-#include "trace/reference.h"
+#include "trace/json.h"
 
 namespace contactscope {
 

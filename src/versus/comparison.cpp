@@ -1,7 +1,6 @@
 #include "versus/comparison.h"
 
 #include "trace/find.h"
-#include "trace/point_names.h"
 #include "versus/request.h"
 
 namespace contactscope::versus {

@@ -7,9 +7,6 @@
 #include <unistd.h>
 #include <cerrno>
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
-#include <sstream>
 #include <system_error>
 
 #include "core/convex_polygon.h"

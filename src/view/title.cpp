@@ -1,8 +1,6 @@
 #include "view/title.h"
 #include "core/spell.h"
 
-#include <charconv>
-
 namespace contactscope {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scenario/run.h"
-#include "trace/point_names.h"
+#include "trace/find.h"
 
 namespace contactscope::trace {
 namespace {

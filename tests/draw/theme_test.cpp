@@ -1,4 +1,4 @@
-#include "draw/scene/theme.h"
+#include "draw/scene/layout.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "field/lean.h"
+#include "field/triangle_sieve.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string>
 
-#include "image/whole_file.h"
+#include "image/encoding.h"
 
 namespace contactscope {
 namespace {

@@ -12,8 +12,8 @@
 #include <random>
 #include <thread>
 
+#include "image/encoding.h"
 #include "image/test_picture.h"
-#include "image/whole_file.h"
 #include "support/png_text.h"
 
 namespace contactscope {

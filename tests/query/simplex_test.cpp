@@ -1,4 +1,4 @@
-#include "query/simplex.h"
+#include "query/gjk.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include "broadphase/broad_phase.h"
 #include "scenario/broken.h"
-#include "scenario/keys.h"
 #include "scenario/run.h"
+#include "scenario/scenario.h"
 #include "trace/json.h"
 
 /// The reference is built in: the reader takes keys, words and limits from it. What it cannot take from

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "trace/json.h"
-#include "trace/reference.h"
 
 /// Makes src/trace/trace.schema.json from the lists of fields and the tables of the reference.
 namespace contactscope::trace {

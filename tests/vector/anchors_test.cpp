@@ -1,4 +1,4 @@
-#include "vector/anchors.h"
+#include "vector/pieces.h"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 #include <regex>
 
 #include "draw/crate_on_slab.h"
-#include "draw/scene/theme.h"
+#include "draw/scene/layout.h"
 #include "vector/svg.h"
 
 namespace contactscope::vector {

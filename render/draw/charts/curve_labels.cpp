@@ -1,8 +1,5 @@
 #include "draw/charts/curve_labels.h"
 
-#include <cctype>
-#include <sstream>
-
 #include "draw/scene/palette.h"
 
 namespace contactscope::draw {

@@ -1,6 +1,6 @@
 #include "draw/charts/plot.h"
+#include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
-#include "draw/scene/theme.h"
 
 namespace contactscope::draw {
 namespace {

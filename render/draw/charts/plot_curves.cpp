@@ -1,5 +1,3 @@
-#include <cctype>
-
 #include "draw/charts/curve_labels.h"
 #include "draw/charts/plot.h"
 #include "draw/scene/palette.h"

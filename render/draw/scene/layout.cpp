@@ -1,7 +1,5 @@
 #include "draw/scene/layout.h"
 
-#include <sstream>
-
 #include "draw/scene/clip_story.h"
 
 namespace contactscope::draw {

@@ -1,7 +1,5 @@
 #include "draw/scene/pairs.h"
 
-#include <charconv>
-
 #include "draw/scene/points.h"
 
 namespace contactscope::draw {

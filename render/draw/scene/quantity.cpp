@@ -1,7 +1,5 @@
 #include "draw/scene/quantity.h"
 
-#include <cstdlib>
-
 namespace contactscope::draw {
 namespace {
 

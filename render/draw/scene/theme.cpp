@@ -1,5 +1,3 @@
-#include "draw/scene/theme.h"
-
 #include "draw/scene/layout.h"
 #include "draw/scene/palette.h"
 

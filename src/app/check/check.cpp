@@ -1,5 +1,3 @@
-#include <cctype>
-#include <cstdlib>
 #include <iostream>
 
 #include "app/check/check_run.h"

@@ -1,8 +1,6 @@
 #include "app/check/check_run.h"
 
-#include <cstdlib>
 #include <iostream>
-#include <sstream>
 
 #include "app/check/reports/report.h"
 #include "app/cli/faults.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/cli/catalogue.h"
 #include "draw/staging.h"
 

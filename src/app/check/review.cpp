@@ -4,7 +4,6 @@
 #include <termios.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,9 @@
 #include <sys/ioctl.h>
 
-#include <cstdlib>
 #include <iostream>
 
 #include "app/check/check_run.h"
 #include "image/png.h"
-#include "image/terminal.h"
 #include "snapshot/report_folder.h"
 
 namespace contactscope::app {

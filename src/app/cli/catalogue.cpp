@@ -1,7 +1,5 @@
 #include "app/cli/catalogue.h"
 
-#include <filesystem>
-
 #include "app/cli/narrow.h"
 #include "core/key_table.h"
 #include "draw/scene/pairs.h"

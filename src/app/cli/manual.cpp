@@ -1,9 +1,6 @@
-#include <sstream>
-
 #include "app/cli/verbs.h"
-#include "scenario/keys.h"
 #include "scenario/scenario.h"
-#include "trace/reference.h"
+#include "trace/json.h"
 
 namespace contactscope::app {
 

@@ -1,7 +1,5 @@
 #include "app/cli/narrow.h"
 
-#include <filesystem>
-
 #include "app/cli/faults.h"
 #include "core/key_table.h"
 #include "draw/scene/pairs.h"

@@ -1,5 +1,3 @@
-#include <sstream>
-
 #include "app/cli/options.h"
 #include "app/render/formats/format.h"
 #include "core/key_table.h"

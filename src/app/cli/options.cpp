@@ -1,8 +1,5 @@
 #include "app/cli/options.h"
 
-#include <cctype>
-#include <cstdlib>
-#include <filesystem>
 #include <ostream>
 
 #include "app/cli/catalogue.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <charconv>
 #include <iosfwd>
 
 #include "draw/scene/layout.h"

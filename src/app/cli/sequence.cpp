@@ -2,7 +2,6 @@
 
 #include "draw/scene/pairs.h"
 #include "trace/find.h"
-#include "trace/point_names.h"
 
 namespace contactscope::app {
 namespace {

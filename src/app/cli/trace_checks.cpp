@@ -5,7 +5,7 @@
 #include "app/cli/table.h"
 #include "geometry/hull_builder.h"
 #include "snapshot/store.h"
-#include "trace/reference.h"
+#include "trace/json.h"
 
 namespace contactscope::app {
 namespace {

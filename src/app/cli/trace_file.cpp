@@ -1,9 +1,7 @@
 #include "app/cli/trace_file.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "core/input_error.h"
 #include "core/spell.h"

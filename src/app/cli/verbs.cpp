@@ -1,8 +1,5 @@
 #include "app/cli/verbs.h"
 
-#include <cctype>
-#include <sstream>
-
 #include "core/key_table.h"
 
 namespace contactscope::app {

@@ -1,7 +1,5 @@
 #include "app/compare/engine_runs.h"
 
-#include <sstream>
-
 #include "app/cli/faults.h"
 #include "app/cli/progress.h"
 #include "core/key_table.h"

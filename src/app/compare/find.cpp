@@ -4,7 +4,7 @@
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"
 #include "app/cli/table.h"
-#include "trace/point_names.h"
+#include "trace/find.h"
 
 namespace contactscope::app {
 namespace {

@@ -1,7 +1,6 @@
 #include "study/study.h"
 #include "versus/request.h"
 
-#include <filesystem>
 #include <iostream>
 
 #include "app/cli/catalogue.h"
@@ -9,7 +8,7 @@
 #include "app/render/renderer.h"
 #include "core/key_table.h"
 #include "draw/charts/plot.h"
-#include "image/whole_file.h"
+#include "image/encoding.h"
 
 namespace contactscope::app {
 namespace {

@@ -1,12 +1,11 @@
 #include "app/render/figure_canvas.h"
 
-#include <filesystem>
 #include <iostream>
 
 #include "app/cli/narrow.h"
 #include "draw/panels/panel.h"
-#include "image/whole_file.h"
-#include "scenario/words_file.h"
+#include "image/encoding.h"
+#include "scenario/scenario.h"
 
 namespace contactscope::app {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dot_order.h"
+#include "core/three.h"
 #include "geometry/box_topology.h"
 #include "query/fast/box_axes.h"
 #include "query/hull_pair.h"

@@ -1,6 +1,5 @@
 #include "reduce/fast/area_of_eight.h"
 
-#include "core/dot_order.h"
 #include "core/three.h"
 
 namespace contactscope {

@@ -1,8 +1,7 @@
 #include <iostream>
-#include <sstream>
 
 #include "app/check/reports/report.h"
-#include "image/terminal.h"
+#include "image/png.h"
 #include "snapshot/store.h"
 #include "vector/svg.h"
 

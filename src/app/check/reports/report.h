@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/cli/verbs.h"
 
 /// Report formats of `check`. They read only the Outcome and the folder of its candidates.

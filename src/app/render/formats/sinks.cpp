@@ -2,9 +2,9 @@
 
 #include "app/cli/faults.h"
 #include "app/render/figure_canvas.h"
-#include "image/whole_file.h"
+#include "image/encoding.h"
 #include "snapshot/store.h"
-#include "vector/anchors.h"
+#include "vector/pieces.h"
 
 namespace contactscope::app {
 namespace {

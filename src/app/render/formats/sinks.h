@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/render/formats/format.h"
 #include "app/render/renderer.h"
 
