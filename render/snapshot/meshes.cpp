@@ -1,6 +1,5 @@
 #include "snapshot/meshes.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/input_error.h"

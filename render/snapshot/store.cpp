@@ -1,7 +1,5 @@
 #include "snapshot/store.h"
 
-#include <fstream>
-
 #include "core/input_error.h"
 #include "core/spell.h"
 #include "image/encoding.h"

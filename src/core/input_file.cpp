@@ -1,5 +1,3 @@
-#include <system_error>
-
 #include "core/input_error.h"
 
 namespace contactscope {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdio>
-
 #include "core/standard.h"
 
 /// Numbers and lists as text, for pictures, reports and messages.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cassert>
-
 #include "core/standard.h"
 
 namespace contactscope {

@@ -1,7 +1,5 @@
 #include "core/workers.h"
 
-#include <system_error>
-
 namespace contactscope {
 
 Workers::Workers(int count) {

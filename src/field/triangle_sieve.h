@@ -91,7 +91,7 @@ class TriangleSieve {
     kBase = 12,    // length of the longest edge
     kSecond = 13,  // direction of the next edge, two numbers, and its length
     kThird = 16,   // direction from the origin to the third corner, and its length
-    kLean = 19,    // lean.h
+    kLean = 19,    // largest_leans
     kInward = 20,  // for each edge in this order: |.|_1 of its inward direction
     kNormal = 23,  // the same for the normal
     kNumbers = 24

@@ -1,6 +1,5 @@
 #include "geometry/mesh_file.h"
 
-#include <fstream>
 #include "core/input_error.h"
 #include "core/spell.h"
 #include "geometry/mesh_contents.h"

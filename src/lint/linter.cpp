@@ -143,27 +143,23 @@ double grossness(const Finding& finding) {
   return finding.size * (finding.of > 0 ? double(finding.count) / finding.of : 1);
 }
 
+void add_hint(const char* cause, const std::string& what, const char* remedy,
+              const std::string& shape, std::vector<Finding>& hints) {
+  hints.push_back({cause, what, remedy, 1, 0, 1, 0, shape});
+  hints.back().is_hint = true;
+}
+
 /// Corners and edges are rounded by a margin.
-void add_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
+void add_margin_hint(const trace::Shape& shape, std::vector<Finding>& hints) {
   constexpr double kLarge = 0.25;
   if (!(shape.margin > 0) || shape.vertices.empty()) return;
   const double share = shape.margin / (box_around(shape.vertices).extent().minCoeff() / 2);
   if (!(share > kLarge)) return;
-  hints.push_back({"large_margin",
-                   "the margin is " + shown(std::round(100 * share)) +
-                       " % of the smallest half extent of '" + shape.name + "'",
-                   "contacts at its corners and edges are off by as much: make the margin smaller",
-                   1, 0, 1, 0, shape.name});
-  hints.back().is_hint = true;
-}
-
-void add_tolerance_hint(const std::string& shape, double tolerance, std::vector<Finding>& hints) {
-  hints.push_back(
-      {"large_tolerance",
-       "the tolerance of " + metres(tolerance) + " is not less than the size of '" + shape + "'",
-       "no error of its contacts can be seen: give a smaller one, as --tolerance 1mm", 1, 0, 1, 0,
-       shape});
-  hints.back().is_hint = true;
+  add_hint("large_margin",
+           "the margin is " + shown(std::round(100 * share)) +
+               " % of the smallest half extent of '" + shape.name + "'",
+           "contacts at its corners and edges are off by as much: make the margin smaller",
+           shape.name, hints);
 }
 
 }  // namespace
@@ -195,8 +191,12 @@ struct Linter::State {
       solids.add(shape);
       const Solid* const solid = solids.find(shape.name);
       if (solid != nullptr && !solid->is_plane() && options.tolerance >= solid->size())
-        add_tolerance_hint(shape.name, options.tolerance, hints);
-      if (!options.shapes_are_given) add_hint(shape, hints);
+        add_hint("large_tolerance",
+                 "the tolerance of " + metres(options.tolerance) +
+                     " is not less than the size of '" + shape.name + "'",
+                 "no error of its contacts can be seen: give a smaller one, as --tolerance 1mm",
+                 shape.name, hints);
+      if (!options.shapes_are_given) add_margin_hint(shape, hints);
     }
   }
 

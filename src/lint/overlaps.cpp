@@ -44,6 +44,7 @@ struct Pivot {
   Mat3<double> squares = Mat3<double>::Zero();
   Vec3d moments = Vec3d::Zero();
   double moved = 0, turned = 0;
+  double size = 0;  // of the smaller body, metres
   int count = 0;
 
   void add(const Pose<double>& b_in_a) {
@@ -56,8 +57,8 @@ struct Pivot {
     moments -= turn.transpose() * shift;
     moved += shift.squaredNorm(), turned += turn.squaredNorm();
   }
-  /// `size`: of the smaller body, metres. Bodies that hardly move show nothing.
-  bool is_joint(double size) const {
+  /// Bodies that hardly move show nothing.
+  bool is_joint() const {
     constexpr double kMoves = 2e-3, kRest = 0.25;  // solvers leave joints some play
     const double motion = std::max(moved, size * size * turned);
     if (!(motion > count * kMoves * kMoves * size * size)) return false;
@@ -181,7 +182,7 @@ class OverlapsWatch final : public Watch {
                       &of_b = bodies_[names.second] = solids.body_of(names.second);
     if (&list == &untold_ && of_a != of_b) {
       pivots_[names].add(relative_pose(a->pose, b->pose));
-      sizes_[names] = size;
+      pivots_[names].size = size;
     }
     if (both_still || of_a == of_b) return;
     bool is_lacking = false;
@@ -254,7 +255,7 @@ class OverlapsWatch final : public Watch {
 
   void erase_joined() {
     for (const auto& [names, pivot] : pivots_)
-      if (pivot.is_joint(sizes_[names])) resting_.pairs.erase(names), lacking_.erase(names);
+      if (pivot.is_joint()) resting_.pairs.erase(names), lacking_.erase(names);
   }
 
   /// Whether nothing is reported that holds a body, and it does not fall.
@@ -300,7 +301,6 @@ class OverlapsWatch final : public Watch {
   List separation_, untold_, resting_;
   Pairs lacking_;  // pairs of bodies that move as if they had a contact that is not reported
   std::map<Names, Pivot> pivots_;  // of pairs without a contact that are close
-  std::map<Names, double> sizes_;  // of the smaller body of each, metres
   std::set<Names> hanging_;        // pairs without a contact of a body that nothing else holds
   std::set<Names> deep_;           // pairs without a contact that overlap more than bodies at rest
   int touching_ = 0;               // pairs with contacts, of all frames

@@ -38,6 +38,8 @@ if(NOT CONTACTSCOPE_BUILD_PROGRAM)
   return()
 endif()
 install(TARGETS contactscope COMPONENT program)
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/src/scenario/import/contactscope-import TYPE BIN
+  COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE NOTICE DESTINATION ${doc_dir}/contactscope
   COMPONENT program)
 # README.md and the documents and pictures that it links to, in their folders, so that the links hold.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <initializer_list>
-
 #include "reduce/steps.h"
 #include "trace/trace.h"
 

@@ -1,8 +1,5 @@
 #include "scenario/scenario.h"
 
-#include <fstream>
-#include <system_error>
-
 #include "core/spell.h"
 #include "scenario/readers.h"
 
@@ -176,7 +173,7 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   if (patch) {
     read_patches(file, *patch, scenario);
     if (const auto words = file.find("words"))
-      read_words_table(*words, names_in_pictures(scenario));
+      scenario.words = read_words_table(*words, names_in_pictures(scenario));
     return scenario;
   }
   if (const auto given = file.find("time")) {
@@ -213,8 +210,8 @@ Scenario parse_scenario(const std::string& text, const std::string& path) {
   }
   for (View& view : scenario.views)
     if (!view.title) view.title = scenario.title;
-  // Only pictures need the words; this checks them.
-  if (const auto words = file.find("words")) read_words_table(*words, names_in_pictures(scenario));
+  if (const auto words = file.find("words"))
+    scenario.words = read_words_table(*words, names_in_pictures(scenario));
   if (const auto expect = file.find("expect"))
     scenario.expectations = read_expectations(*expect, scenario);
   scenario.snapshots = read_snapshots(file.find("snapshots"), scenario.frames, scenario.views);

@@ -175,6 +175,7 @@ struct Scenario {
   WorldSettings world;
   SolverSettings solver;    // adjusted to the shapes
   std::vector<View> views;  // at least one
+  Words words{};            // of pictures
   std::vector<Expectation> expectations;
   SnapshotSettings snapshots;
   std::vector<std::string> warnings;  // for what is suspicious but not an error

@@ -1,5 +1,3 @@
-#include <system_error>
-
 #include "geometry/hull_builder.h"
 #include "geometry/mesh_file.h"
 #include "geometry/mesh_seams.h"

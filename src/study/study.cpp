@@ -1,7 +1,6 @@
 #include "study/study.h"
 
 #include <ctime>
-#include <fstream>
 
 namespace contactscope {
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <concepts>
-
 #include "trace/stage.h"
 
 /// How the structs of this folder list their fields. Each has a `fields()`; the JSON writer and

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <iosfwd>
-
 #include "core/key_table.h"
 #include "trace/trace.h"
 

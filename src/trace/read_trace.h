@@ -1,7 +1,6 @@
 #pragma once
 
 #include <ios>
-#include <iosfwd>
 
 #include "core/workers.h"
 #include "trace/json.h"

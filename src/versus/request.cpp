@@ -7,7 +7,6 @@
 #include <unistd.h>
 #include <cerrno>
 #include <chrono>
-#include <system_error>
 
 #include "core/convex_polygon.h"
 

@@ -1,5 +1,3 @@
-#include <initializer_list>
-
 #include "draw/scene/scene.h"
 
 namespace contactscope::draw {

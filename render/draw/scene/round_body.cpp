@@ -1,7 +1,5 @@
 #include "draw/scene/visibility.h"
 
-#include <initializer_list>
-
 #include "draw/scene/palette.h"
 #include "draw/scene/points.h"
 

@@ -45,14 +45,12 @@ std::vector<std::string> files_named(const std::string& argument, const Options&
   for (const std::string& root : roots)
     if (files.empty()) files = files_in(root, argument);
   if (!files.empty()) return files;
-  if (is_folder) {
+  std::string traces;
+  if (is_folder)
     for (const auto& entry : fs::directory_iterator(argument, unknown))
       if (is_trace_file(entry.path().string()))
-        throw InputError(
-            argument, 0, 0,
-            "no scenario (*.toml) in this folder; give its traces, as " + entry.path().string());
-    throw InputError(argument, 0, 0, "no scenario (*.toml) in this folder");
-  }
+        traces = "; give its traces, as " + entry.path().string();
+  if (is_folder) throw InputError(argument, 0, 0, "no scenario (*.toml) in this folder" + traces);
   require_regular_file(argument, "give the path of a scenario (.toml)");
   std::vector<std::string> names;
   for (const std::string& root : roots) {
@@ -196,7 +194,7 @@ std::vector<Scenario> read_scenarios(const Options& options, std::vector<Input>*
   for (const std::string& file : files) {
     Scenario scenario;
     try {
-      scenario = load_scenario(file);
+      scenario = load_or_import(file, options.quiet);
     } catch (const InputError& error) {
       if (unreadable != nullptr) {
         Input input = unreadable_input(file, error);

@@ -13,6 +13,10 @@ namespace contactscope::app {
 /// and UsageError.
 std::vector<Scenario> load_scenarios(const Options& options);
 
+/// import.cpp: a scenario file, or the scenario that contactscope-import makes of a robot's model.
+/// Throws InputError.
+Scenario load_or_import(const std::string& file, bool is_quiet);
+
 /// Input of `render`: a scenario to run, or a trace. For a trace the scenario has only a name and
 /// views.
 struct Input {

@@ -78,6 +78,7 @@ const std::vector<Option>& option_table() {
        "Scenarios and traces to inspect: their content, and what `lint` finds in traces", kFile},
       {"FILE", "", "shrink", kInputs,
        "A scenario, which is run, or a trace of any engine, - for the standard input", kFile},
+      {"FILE", "", "import", kInputs, "MJCF, URDF or SDF", kFile},
       {"FILE", "", "why", kInputs, "A scenario, or a trace of any engine", kScenario},
       {"FILE", "", "find", kInputs, "A trace of any engine, - for the standard input", kFile},
       {"EXPRESSION", "", "find", &Options::condition,

@@ -1,7 +1,5 @@
 #include "app/cli/options.h"
 
-#include <ostream>
-
 #include "app/cli/catalogue.h"
 #include "core/key_table.h"
 #include "draw/scene/palette.h"

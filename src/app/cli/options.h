@@ -1,7 +1,5 @@
 #pragma once
 
-#include <iosfwd>
-
 #include "draw/scene/layout.h"
 #include "gl/context.h"
 #include "snapshot/verdict.h"

@@ -3,9 +3,7 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 #include <iomanip>
-#include <ostream>
 
 namespace contactscope::app {
 namespace {

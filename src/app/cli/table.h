@@ -1,7 +1,5 @@
 #pragma once
 
-#include <ostream>
-
 #include "core/spell.h"
 #include "trace/study.h"
 

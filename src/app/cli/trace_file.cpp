@@ -1,6 +1,5 @@
 #include "app/cli/trace_file.h"
 
-#include <fstream>
 #include <iostream>
 
 #include "core/input_error.h"
@@ -53,6 +52,16 @@ std::unique_ptr<std::istream> opened(const std::string& path, TraceFile::Passes 
   return in;
 }
 
+std::string begin_of(const std::string& path) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown)) return {};
+  std::string begin(1 << 16, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(in.gcount()));
+  return begin;
+}
+
 trace::Trace read_whole(TraceFile& file) {
   trace::Trace trace;
   while (std::optional<trace::Frame> frame = file.next()) {
@@ -77,13 +86,14 @@ bool is_trace_file(const std::string& path) {
 }
 
 std::string foreign_in(const std::string& path) {
-  std::error_code unknown;
-  if (!fs::is_regular_file(path, unknown)) return {};
-  std::string begin(1 << 16, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(in.gcount()));
-  return foreign_format_remedy(begin, fs::file_size(path));
+  const std::string begin = begin_of(path);
+  return begin.empty() ? "" : foreign_format_remedy(begin, fs::file_size(path));
+}
+
+bool is_robot_model(const std::string& path) {
+  const std::string format = foreign_format(begin_of(path), 0);
+  return std::ranges::any_of(std::array{"MJCF", "URDF", "SDFormat"},
+                             [&](const char* model) { return format.starts_with(model); });
 }
 
 TraceFile::TraceFile(const std::string& path, Passes passes)

@@ -7,7 +7,7 @@ namespace contactscope::app {
 // Each is defined in the file of its name.
 Verb render_verb(), trace_verb(), check_verb(), explore_verb(), study_verb(), doctor_verb(),
     list_verb(), lint_verb(), versus_verb(), find_verb(), diff_verb(), shrink_verb(), review_verb(),
-    show_verb(), why_verb();
+    show_verb(), why_verb(), import_verb();
 
 /// main.cpp turns `help render` into `render --help`.
 Verb help_verb() {
@@ -21,10 +21,10 @@ std::string_view help_texts();
 
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> all = [] {
-    std::vector<Verb> list = {render_verb(), trace_verb(),   check_verb(), review_verb(),
-                              show_verb(),   explore_verb(), study_verb(), lint_verb(),
-                              find_verb(),   why_verb(),     diff_verb(),  versus_verb(),
-                              shrink_verb(), doctor_verb(),  list_verb(),  help_verb()};
+    std::vector<Verb> list = {
+        render_verb(), trace_verb(),  check_verb(),  review_verb(), show_verb(), explore_verb(),
+        study_verb(),  lint_verb(),   find_verb(),   why_verb(),    diff_verb(), versus_verb(),
+        shrink_verb(), import_verb(), doctor_verb(), list_verb(),   help_verb()};
     for (Verb& verb : list) {
       const std::string heading = "## " + verb.name + "\n";
       const std::string_view rest =
@@ -120,11 +120,6 @@ void check_value(const Option& option, const std::string& text) {
       option.to);
 }
 
-bool takes_pair(const Verb& verb) {
-  return std::ranges::any_of(options_of(verb.name),
-                             [](const Option* option) { return option->name() == "--pair"; });
-}
-
 /// Checks the arguments that are not options: their number, and the words of those that have some.
 void check_positional(const Verb& verb, const std::vector<std::string>& given) {
   std::size_t next = 0;
@@ -139,9 +134,9 @@ void check_positional(const Verb& verb, const std::vector<std::string>& given) {
   if (next < given.size())
     throw UsageError(verb.name + (next == 0 ? " takes no argument" : " takes only one argument") +
                      ", and '" + given[next] + "' is one more; leave it out" +
-                     (next == 0          ? ""
-                      : takes_pair(verb) ? ", or name two shapes by --pair=A,B"
-                                         : ", or run the verb once for each"));
+                     (next == 0                    ? ""
+                      : has_option(verb, "--pair") ? ", or name two shapes by --pair=A,B"
+                                                   : ", or run the verb once for each"));
 }
 
 }  // namespace

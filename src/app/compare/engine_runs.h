@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "app/cli/verbs.h"
 #include "scenario/scenario.h"

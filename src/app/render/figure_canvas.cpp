@@ -151,20 +151,15 @@ FigureCanvas canvas_of(const trace::Header& header, const std::vector<trace::Fra
 
 std::shared_ptr<const Words> words_of(const Input& input, const Options& options) {
   std::vector<std::string_view> names = names_in_pictures(input.scenario);
-  Words words;
-  if (input.trace) {
+  Words words = input.scenario.words;
+  if (input.trace)
     for (const trace::Shape& shape : input.trace->header.shapes) names.push_back(shape.name);
-  } else {
-    words = load_words(input.scenario.path, names);
-  }
   if (!options.words.empty()) words.replace(load_words(words_path(options.words), names));
   return words.empty() ? nullptr : std::make_shared<const Words>(std::move(words));
 }
 
 std::shared_ptr<const Words> words_of(const Scenario& scenario) {
-  if (scenario.path.empty()) return nullptr;  // it stands for a trace
-  Words words = load_words(scenario.path, names_in_pictures(scenario));
-  return words.empty() ? nullptr : std::make_shared<const Words>(std::move(words));
+  return scenario.words.empty() ? nullptr : std::make_shared<const Words>(scenario.words);
 }
 
 draw::Staging stage_cell(const trace::Header& header, const std::vector<trace::Frame>& frames,

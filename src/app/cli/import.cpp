@@ -1,0 +1,45 @@
+#include <iostream>
+
+#include "app/cli/catalogue.h"
+#include "app/cli/trace_file.h"
+#include "app/cli/verbs.h"
+#include "versus/request.h"
+
+namespace contactscope::app {
+namespace {
+
+/// The scenario of a robot's model, as text. Another program makes it: src/scenario/import.
+std::string imported(const std::string& file, bool is_quiet) {
+  constexpr double kMaxSeconds = 60;
+  constexpr const char* kProgram = "contactscope-import";
+  const auto program = versus::find_program(kProgram, versus::own_folders());
+  if (!program)
+    throw InputError(file, 0, 0,
+                     "a robot's model is read by contactscope-import, which is neither next to "
+                     "contactscope nor in $PATH; install it with the package");
+  const versus::Answer answer = versus::run_program(*program, {file}, "", kMaxSeconds);
+  if (answer.exit_code == 2) throw UsageError(answer.said.substr(0, answer.said.find('\n')));
+  if (!answer.failure.empty())
+    throw InputError(file, 0, 0,
+                     "contactscope-import, which needs python3, failed: " + answer.failure + ": " +
+                         versus::last_line(answer.said));
+  if (!is_quiet) std::cerr << answer.said;
+  return answer.out;
+}
+
+}  // namespace
+
+Scenario load_or_import(const std::string& file, bool is_quiet) {
+  return is_robot_model(file) ? parse_scenario(imported(file, is_quiet), file)
+                              : load_scenario(file);
+}
+
+Verb import_verb() {
+  return {"import", "Print the collision shapes of a robot's model (MJCF, URDF, SDF) as a scenario",
+          [](const Options& options) {
+            std::cout << imported(options.scenarios.front(), options.quiet);
+            return ExitCode::Same;
+          }};
+}
+
+}  // namespace contactscope::app
