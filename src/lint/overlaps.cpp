@@ -142,7 +142,7 @@ class OverlapsWatch final : public Watch {
     }
     report_kind("pair_never_reported", "a body rests on another, and no contact is reported",
                 "check the broad phase, the filter of pairs, and what is left out when a frame is "
-                "written; if a joint holds the bodies, ignore this pair",
+                "written; if a rigid joint holds the bodies, ignore this pair",
                 resting_, findings);
   }
 
