@@ -333,8 +333,10 @@ async function start() {
   function read() {
     const words = new URLSearchParams(location.hash.slice(1)), get = name => words.get(name) || '', camera = get('camera').split(',').map(Number);
     const body = data.shapes.findIndex(shape => shape.name === get('body')), pair = data.pairs.findIndex((_, i) => JSON.stringify(namesOf(i)) === get('pair'));
-    Object.assign(state, { theme: ['light', 'dark'].includes(get('theme')) ? get('theme') : '', frame: words.has('frame') ? nearestFrame(Number(get('frame'))) : best, finding: Number(get('finding')) - 1,
-      selection: body >= 0 ? { body } : pair < 0 ? null : get('point') ? { pair, point: get('point') } : { pair },
+    // A finding alone opens where it is.
+    const finding = Number(get('finding')) - 1, there = data.findings[finding], isAlone = there && there.index >= 0 && !words.has('frame') && body < 0 && pair < 0;
+    Object.assign(state, { theme: ['light', 'dark'].includes(get('theme')) ? get('theme') : '', frame: words.has('frame') ? nearestFrame(Number(get('frame'))) : isAlone ? there.index : best, finding,
+      selection: body >= 0 ? { body } : pair >= 0 ? (get('point') ? { pair, point: get('point') } : { pair }) : !isAlone ? null : there.pair >= 0 ? { pair: there.pair } : { body: there.body },
       on: new Set((get('layers') || usual).split(',')), follow: body >= 0 && get('follow') ? body : -1 });
     if (data.camera) orbit.lookFrom(data.camera.forward.map(x => -x));
     view = 'all';

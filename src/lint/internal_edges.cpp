@@ -6,7 +6,7 @@ namespace contactscope::lint {
 namespace {
 
 /// A normal may lean from the faces around its point by this much, radians: engines approximate.
-constexpr double kLeaning = 15 * std::numbers::pi / 180;
+constexpr double kLeaning = 15 * std::numbers::pi / 180, kFlat = 0.02;
 
 double angle_between(const Vec3d& one, const Vec3d& other) {
   return std::atan2(one.cross(other).norm(), one.dot(other));
@@ -107,15 +107,20 @@ class InternalEdgesWatch final : public Watch {
         if (point.separation > tolerance && !(impulse > 0)) continue;
         ++tally_.of;
         const double reach = 2 * std::max(tolerance, std::abs(point.separation));
-        const Vec3d allowed = allowed_normal(
-            surface_around(*mesh, placed->pose.inverse_transform(point.position), reach, outward),
-            outward);
+        const SurfaceAround around =
+            surface_around(*mesh, placed->pose.inverse_transform(point.position), reach, outward);
+        const Vec3d allowed = allowed_normal(around, outward);
         const double lean = angle_between(allowed, outward);
         // Before it touches, a curved surface may have another direction.
-        if (!(lean > (point.separation > tolerance ? 3 * kLeaning : kLeaning))) continue;
+        const bool is_flat =
+            !around.ends && std::ranges::all_of(around.faces, [&](const Vec3d& face) {
+              return angle_between(face, allowed) < kFlat;
+            });
+        const bool may_differ = point.separation > tolerance && !is_flat;
+        if (!(lean > (may_differ ? 3 * kLeaning : kLeaning))) continue;
         frames.explained->try_emplace(&pair, Explained::ButForSigns);
-        // By the lean to about ten degrees, then by the impulse along the surface.
-        const double worst = 1 + std::floor(6 * lean) + 1 - 1 / (1 + std::sin(lean) * impulse);
+        // By the impulse along the surface; where none is known, by the lean.
+        const double worst = impulse > 0 ? 1 + std::sin(lean) * impulse : lean / 2;
         tally_.wrong_at({frames.now->frame, frames.now->line, name, other, point.position,
                          away * placed->pose.rotate(allowed)},
                         frames, worst, [&] {

@@ -73,12 +73,6 @@ bool leaves_others(const std::set<Names>& explained, Finding& finding) {
   return true;
 }
 
-int count_in(const Finding& finding, const Names& names) {
-  const auto found = std::ranges::find_if(
-      finding.pairs, [&](const OfPair& one) { return names == Names(std::minmax(one.a, one.b)); });
-  return found == finding.pairs.end() ? 0 : found->count;
-}
-
 /// Leaves out the effects of causes that are reported: of one that explains half of all pairs all of
 /// them, of another one those in its pairs.
 void erase_effects(const Cause& cause, std::vector<Finding>& all) {
@@ -95,9 +89,10 @@ void erase_effects(const Cause& cause, std::vector<Finding>& all) {
     if (std::ranges::find(cause.effects, finding.cause) == cause.effects.end()) return false;
     if (is_wide && cause.where != Cause::InMost) return true;
     std::set<Names> explained;
+    std::map<Names, int> own;
+    for (const OfPair& one : finding.pairs) own[std::minmax(one.a, one.b)] += one.count;
     for (const auto& [names, count] : caused)
-      if (cause.where == Cause::InPairs || count >= count_in(finding, names))
-        explained.insert(names);
+      if (cause.where == Cause::InPairs || count >= own[names]) explained.insert(names);
     const OfPair example{finding.a, finding.b};
     if (!leaves_others(explained, finding)) return true;
     constexpr double kFew = 0.02;

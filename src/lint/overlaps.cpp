@@ -62,8 +62,8 @@ struct Pivot {
     constexpr double kMoves = 2e-3, kRest = 0.25;  // solvers leave joints some play
     const double motion = std::max(moved, size * size * turned);
     if (!(motion > count * kMoves * kMoves * size * size)) return false;
-    const Mat3<double> damped = squares + 1e-9 * squares.trace() * Mat3<double>::Identity();
-    const Vec3d p = damped.inverse() * moments;
+    const Vec3d p =
+        (squares + 1e-9 * squares.trace() * Mat3<double>::Identity()).inverse() * moments;
     return moved - 2 * p.dot(moments) + p.dot(squares * p) < kRest * kRest * motion;
   }
 };

@@ -11,8 +11,7 @@ namespace {
 /// The scenario of a robot's model, as text. Another program makes it: src/scenario/import.
 std::string imported(const std::string& file, bool is_quiet) {
   constexpr double kMaxSeconds = 60;
-  constexpr const char* kProgram = "contactscope-import";
-  const auto program = versus::find_program(kProgram, versus::own_folders());
+  const auto program = versus::find_program("contactscope-import", versus::own_folders());
   if (!program)
     throw InputError(file, 0, 0,
                      "a robot's model is read by contactscope-import, which is neither next to "

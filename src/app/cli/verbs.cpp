@@ -132,11 +132,10 @@ void check_positional(const Verb& verb, const std::vector<std::string>& given) {
     if (option->repeats()) return;
   }
   if (next < given.size())
-    throw UsageError(verb.name + (next == 0 ? " takes no argument" : " takes only one argument") +
-                     ", and '" + given[next] + "' is one more; leave it out" +
-                     (next == 0                    ? ""
-                      : has_option(verb, "--pair") ? ", or name two shapes by --pair=A,B"
-                                                   : ", or run the verb once for each"));
+    throw UsageError(
+        verb.name + (next == 0 ? " takes no argument" : " takes only one argument") + ", and '" +
+        given[next] + "' is one more; leave it out" +
+        (next == 0 ? "" : ", run the verb once for each, or name shapes by --pair=A,B"));
 }
 
 }  // namespace

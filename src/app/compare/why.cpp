@@ -260,7 +260,7 @@ ExitCode run_why(const Options& options) {
             (!options.frames || options.frames->names(one.frame)) &&
             (!touches || !each.manifolds.empty()))
           frame = &one, pair = &each;
-  if (pair == nullptr) throw UsageError("no frame has this pair; see `contactscope trace`");
+  if (pair == nullptr) throw UsageError("no frame, or none of --frames, has this pair");
   const int count = count_of(draw::all_points(*pair));
   std::cout << "Frame " << frame->frame << ", " << pair->a << " and " << pair->b << ": "
             << draw::spell_state(draw::state_of(*pair, 0)) << ", "
