@@ -120,6 +120,16 @@ class Layers {
     });
   }
 
+  /** A place on a plane next to the body that it is named with: its own origin may be within another body. */
+  besideOn({ normal, offset }, plane, named) {
+    const { bodies } = this, other = [...named].find(body => !data.shapes[body].half_space), matrix = bodies.matrices[plane];
+    if (other === undefined) return null;
+    const up = point3(normal).transformDirection(matrix), [x, y, z, radius] = bodies.sphere(other), middle = point3([x, y, z]);
+    const foot = middle.clone().addScaledVector(up, -middle.clone().sub(point3(normal.map(c => c * offset)).applyMatrix4(matrix)).dot(up));
+    const side = point3(Math.abs(up.x) < 0.8 ? [1, 0, 0] : [0, 1, 0]).cross(up).normalize();
+    return foot.addScaledVector(side, 1.5 * (radius || bodies.size)).toArray();
+  }
+
   drawBodies(frame, on, selection) {
     const { bodies, dots, lines } = this, { contacts } = data;
     // In a heap only those of which the page speaks.
@@ -135,7 +145,7 @@ class Layers {
       }
       const velocity = on.has('velocities') ? velocityOf(body, frame) : [0, 0, 0], speed = Math.hypot(...velocity);
       if (speed > 1e-3) lines.arrow(at, velocity.map(x => x / speed), Math.min(2 * bodies.size, speed * 0.15), color.get('velocities'), 2.5);
-      if (named.has(body)) this.labels.push({ at, text: shape.name, role: 'text' });
+      if (named.has(body)) this.labels.push({ at: shape.half_space ? this.besideOn(shape.half_space, body, named) || at : at, text: shape.name, role: 'text' });
     });
   }
 }

@@ -9,7 +9,8 @@ namespace contactscope::lint {
 std::string shown(double value) { return printed("%.3g", value); }
 
 std::string spelled(const Vec3d& vector) {
-  return "[" + shown(vector.x()) + ", " + shown(vector.y()) + ", " + shown(vector.z()) + "]";
+  const Vec3d v = vector + Vec3d::Zero();  // without -0
+  return "[" + shown(v.x()) + ", " + shown(v.y()) + ", " + shown(v.z()) + "]";
 }
 
 bool LintOptions::ignores(const std::string& cause, const std::string& a,
