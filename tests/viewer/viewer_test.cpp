@@ -224,6 +224,18 @@ TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
   }
 }
 
+/// A link that names a finding alone opens its frame, not the deepest one, and its pair.
+TEST_F(InChromium, AFindingInTheHashOpensWhereItIs) {
+  CrateOnSlab scene = rising();
+  for (trace::Point& point : scene.frames[1].pairs[0].manifolds[0].points) point.separation = 0.5;
+  hash_ = "#finding=1";
+  const json page = result(R"(
+    const { data, state } = contactscope;
+    return { open: [state.frame, data.findings[0].index, state.selection] };)",
+                           scene);
+  EXPECT_EQ(page["open"].dump(), R"([1,1,{"pair":0}])");
+}
+
 /// Without a link's hash: the first finding's frame, pair, sentence and point.
 TEST_F(InChromium, OpensOnTheFirstFindingAndFollowsUntilTheCameraIsMoved) {
   CrateOnSlab scene = rising();
