@@ -23,12 +23,12 @@ inline Vec3d mean_of(std::span<const Vec3d> points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// A point inside a polygon near its first corner, and the middle of its first side.
+/// A point in a polygon near its first corner, and the middle of its first side; or its one corner.
 inline Vec3d near_corner(std::span<const Vec3d> polygon) {
   return 0.3 * mean_of(polygon) + 0.7 * polygon.front();
 }
 inline Vec3d middle_of_side(std::span<const Vec3d> polygon) {
-  return 0.5 * (polygon[0] + polygon[1]);
+  return 0.5 * (polygon[0] + polygon[1 % polygon.size()]);
 }
 
 /// Largest distance of a polygon's corner from its first one, metres.
