@@ -107,16 +107,15 @@ class InternalEdgesWatch final : public Watch {
         if (point.separation > tolerance && !(impulse > 0)) continue;
         ++tally_.of;
         const double reach = 2 * std::max(tolerance, std::abs(point.separation));
-        const SurfaceAround around =
-            surface_around(*mesh, placed->pose.inverse_transform(point.position), reach, outward);
-        const Vec3d allowed = allowed_normal(around, outward);
+        const Vec3d local = placed->pose.inverse_transform(point.position);
+        const Vec3d allowed = allowed_normal(surface_around(*mesh, local, reach, outward), outward);
         const double lean = angle_between(allowed, outward);
-        // Before it touches, a curved surface may have another direction.
-        const bool is_flat =
-            !around.ends && std::ranges::all_of(around.faces, [&](const Vec3d& face) {
-              return angle_between(face, allowed) < kFlat;
-            });
-        const bool may_differ = point.separation > tolerance && !is_flat;
+        // Before it touches, a surface that is curved below the shape may have another direction.
+        const bool may_differ =
+            point.separation > tolerance &&
+            std::ranges::any_of(
+                surface_around(*mesh, local, on_top->size(), outward).faces,
+                [&](const Vec3d& face) { return angle_between(face, allowed) > kFlat; });
         if (!(lean > (may_differ ? 3 * kLeaning : kLeaning))) continue;
         frames.explained->try_emplace(&pair, Explained::ButForSigns);
         // By the impulse along the surface; where none is known, by the lean.
