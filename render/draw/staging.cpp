@@ -315,6 +315,15 @@ Cast cast_of(const std::vector<trace::Frame>& frames, const View& view, const Sh
   return cast;
 }
 
+/// The steps of all bodies that fly off in a frame.
+std::vector<const Fault::Place*> paths_of(const View& view, int frame) {
+  std::vector<const Fault::Place*> paths;
+  for (const Fault& fault : view.faults)
+    for (const Fault::Place& one : fault.places)
+      if (one.path && one.frame == frame) paths.push_back(&one);
+  return paths;
+}
+
 }  // namespace
 
 Fault::Place place_in_focus(const View& view, const std::vector<trace::Frame>& frames,
@@ -346,14 +355,15 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     const Fault::Place place = place_in_focus(view, to_fit, meshes);
     view.focus_on = {place.a, place.b};
     std::erase(view.focus_on, "");
+    if (const auto named = view.first_fault(); named && named->path)
+      view.focus_on = mapped(paths_of(view, named->frame), [](auto one) { return one->a; });
   }
   const Cast cast = cast_of(to_fit, view, meshes, fitted != nullptr);
   Extent extent = gather(header, to_fit, view, meshes, false, cast);
   if (const Fault::Place* const place = view.first_fault(); place && view.focus == Focus::Worst) {
     extent.across = across_normals(header, to_fit, *place);
-    for (const Fault& fault : view.faults)
-      for (const Fault::Place& one : fault.places)
-        if (one.path && one.frame == place->frame) append(extent.shapes, *one.path);
+    for (const Fault::Place* const one : paths_of(view, place->frame))
+      append(extent.shapes, *one->path);
   }
   const auto camera_in = [&](const Rect& viewport) {
     return fit_camera(header, extent, view, viewport, !cast.subject.empty());

@@ -213,6 +213,15 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   return near.empty() ? "" : "did you mean '" + near + "'? ";
 }
 
+std::string near_or_all(std::string_view word, const std::vector<std::string_view>& names) {
+  constexpr std::size_t kMaxListed = 20;
+  const std::string near = did_you_mean(word, names);
+  if (names.size() <= kMaxListed) return near + "known: " + quoted_list(names);
+  return near.empty() ? "known: " + quoted_list({names.begin(), names.begin() + kMaxListed}, ", ") +
+                            " and " + std::to_string(names.size() - kMaxListed) + " more"
+                      : near.substr(0, near.size() - 1);
+}
+
 std::string quoted_list(const std::vector<std::string_view>& words, const char* last) {
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i) {

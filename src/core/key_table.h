@@ -48,6 +48,9 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
 
 /// "did you mean 'half_extents'? ", or empty.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+/// The same with all names: "did you mean 'crate'? known: 'crate' and 'floor'". Of more than
+/// twenty, the near one alone, or the first twenty.
+std::string near_or_all(std::string_view word, const std::vector<std::string_view>& names);
 
 template <class List> std::vector<std::string_view> names_in(const List& list) {
   std::vector<std::string_view> names;

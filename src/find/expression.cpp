@@ -270,8 +270,7 @@ class Expression::Parser {
     const auto known = std::ranges::find(kUnitWords, token_, &UnitWord::name);
     const std::vector<std::string_view> names = names_in(kUnitWords);
     if (known == kUnitWords.end())
-      fail("'" + token_ + "' is not a unit; " + did_you_mean(token_, names) +
-           "known: " + quoted_list(names));
+      fail("'" + token_ + "' is not a unit; " + near_or_all(token_, names));
     number.value = std::get<double>(number.value) * known->factor;
     number.unit = known->unit;
     if (take("N"))
@@ -290,9 +289,7 @@ class Expression::Parser {
   void require_cause(const std::string& name) const {
     const std::vector<std::string_view>& causes = vocabulary_.causes;
     if (causes.empty() || std::ranges::find(causes, name) != causes.end()) return;
-    const std::string near = did_you_mean(name, causes);
-    fail("'" + name + "' is not a cause of findings; " +
-         (near.empty() ? "known: " + quoted_list(causes) : near));
+    fail("'" + name + "' is not a cause of findings; " + near_or_all(name, causes));
   }
   void note(const Fact& fact) {
     if (std::ranges::find(facts_, fact) == facts_.end()) facts_.push_back(fact);

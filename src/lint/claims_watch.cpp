@@ -369,8 +369,8 @@ class ClaimsWatch final : public Watch {
                  "what the engine's margin takes off",
                  is_of);
     for (WrongPair& wrong : wrong_) wrong.record = wrong.record || is_of(wrong);
-    finding.below.clear();
-    finding.of = judged_of_[best.shape];
+    finding.below.clear(), finding.of = judged_of_[best.shape];
+    finding.fits = {best.shape, best.is_margin ? 0 : best.scale};
     const auto same = std::ranges::find(findings, finding.cause, &Finding::cause);
     if (same == findings.end()) {
       if (all_gathered_ > 0) findings.push_back(std::move(finding));

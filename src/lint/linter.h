@@ -48,7 +48,8 @@ struct Finding {
   bool is_severe = false;  // farther off than engines approximate
   double size = 1;         // of the error, relative to the smaller shape; 1: all of it is wrong
   double gross = 0;        // size of a case far beyond approximations; 0: there is none
-  std::string_view cases = "pairs";  // "poses", "points"
+  std::string_view cases = "pairs";       // "poses", "points"
+  std::pair<std::string, double> fits{};  // a shape, or all, and the scale at which contacts fit; 0
 };
 
 /// Whether it is a fault, and often or large enough.

@@ -170,8 +170,8 @@ class MotionWatch final : public Watch {
   void see_flicker(const Moments& frames, const std::string& body, const Vec3d& now,
                    const Vec3d& then, double size) {
     flicker_.wrong_at({frames.now->frame, frames.now->line, body, ""}, frames, size, [&] {
-      return std::pair("its contacts carry " + shown(now.norm()) + " N s, and " +
-                           shown(then.norm()) + " N s in the frame before",
+      return std::pair("its contacts carry " + spelled(now) + " N s, and " + spelled(then) +
+                           " N s in the frame before",
                        std::string("its motion shows no such change"));
     });
   }

@@ -115,8 +115,7 @@ const char* name_of(Scalar scalar) { return scalar == Scalar::Float ? "float" : 
 
 void refuse(const std::string& what, const std::string& word,
             const std::vector<std::string_view>& known) {
-  throw std::invalid_argument("unknown " + what + " '" + word + "'; " + did_you_mean(word, known) +
-                              "known: " + quoted_list(known));
+  throw std::invalid_argument("unknown " + what + " '" + word + "'; " + near_or_all(word, known));
 }
 
 }  // namespace contactscope::package

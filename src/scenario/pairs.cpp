@@ -165,13 +165,7 @@ int shape_named(const Value& value, const std::vector<ScenarioShape>& shapes) {
   const std::string name = value.string();
   const auto found = std::ranges::find(shapes, name, &ScenarioShape::name);
   if (found != shapes.end()) return static_cast<int>(found - shapes.begin());
-  Keys names = names_in(shapes);
-  const std::string near = did_you_mean(name, names);
-  constexpr std::size_t kMaxListed = 16;
-  const bool all = names.size() <= kMaxListed;
-  if (!all) names.resize(kMaxListed);
-  value.fail("there is no shape '" + name + "'; " + near + "the file has " + quoted_list(names) +
-             (all ? "" : " and more"));
+  value.fail("there is no shape '" + name + "'; " + near_or_all(name, names_in(shapes)));
 }
 
 std::vector<ScenarioPair> read_pairs(const Value& value, const std::vector<ScenarioShape>& shapes,

@@ -192,8 +192,7 @@ std::string Value::one_of(const Keys& choices, const std::string& kind) const {
 void Value::require_one(const std::string& text, const Keys& choices,
                         const std::string& kind) const {
   if (std::ranges::find(choices, text) == choices.end())
-    fail("unknown " + kind + " '" + text + "'; " + did_you_mean(text, choices) +
-         "known: " + quoted_list(choices));
+    fail("unknown " + kind + " '" + text + "'; " + near_or_all(text, choices));
 }
 
 int Value::word() const {

@@ -52,6 +52,7 @@ struct Fault {
   std::vector<int> frames{};    // in which it occurs; of many a sample
   std::string detail{};         // of its first place: what is reported there, and what is
   bool is_condition = false;
+  std::pair<std::string, double> fits{};  // as of lint::Finding
 };
 
 /// A pair over the frames of a sequence.

@@ -133,7 +133,7 @@ TEST(ExploreVerb, UsageErrorsAreTrouble) {
     EXPECT_THAT(result.err, Not(IsEmpty())) << arguments;
   }
   EXPECT_THAT(run("explore hull/eight_points_to_four --table --reducer magic").err,
-              HasSubstr("there is 'area', "));
+              HasSubstr("known: 'area', "));
 }
 
 TEST(ExploreVerb, FullDiskIsTrouble) {

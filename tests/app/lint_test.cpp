@@ -135,7 +135,7 @@ TEST(LintVerb, KnownAndIgnoredFindingsExitWithZero) {
   const ProgramRun unknown = run("lint --ignore half_depths:crat '" + half + "'");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("--ignore: there is no shape 'crat'; did you mean 'crate'? "
-                                     "there is 'crate' and 'ground'"));
+                                     "known: 'crate' and 'ground'"));
   EXPECT_THAT(run("render --ignore half_depths:crat '" + half + "'").err,
               HasSubstr("--ignore: there is no shape 'crat'; did you mean 'crate'?"));
   const std::string text = folder.write("known.txt", "lost pairs\n");

@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
     Pairs, BrokenFile,
     ::testing::Values(
         Broken{"UnknownShape", two_boxes("[[pairs]]\na = \"crat\"\nb = \"floor\""), "9:5",
-               "there is no shape 'crat'; did you mean 'crate'? the file has 'crate' and 'floor'"},
+               "there is no shape 'crat'; did you mean 'crate'? known: 'crate' and 'floor'"},
         Broken{"ShapeWithItself", two_boxes("[[pairs]]\na = \"crate\"\nb = \"crate\""), "10:5",
                "'a' and 'b' are the same shape"},
         Broken{"MissingB", two_boxes("[[pairs]]\na = \"crate\""), "8:1", "missing key 'b'"},

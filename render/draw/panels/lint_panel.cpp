@@ -10,7 +10,7 @@ namespace {
 // The panel's rows without its heading, alone and above the rankings.
 constexpr std::size_t kRows = 16, kRowsAboveRankings = 11;
 constexpr std::size_t kOfFault = 3;  // places of a fault that are listed
-constexpr LineStyle kFaultOutline{1.8f, kText, true};
+constexpr LineStyle kFaultOutline{1.8f, kText, true}, kFitOutline{2.4f, kDropped, true};
 
 constexpr std::size_t kNotTimes = 3;  // rows for the axis of time and two places
 // Height of a finding's time, in rows, and from there to its places and to the next finding.
@@ -22,6 +22,8 @@ constexpr Swatch kFaultSwatch{LegendGroup::Points, 12, [](auto& pen) { pen.dot(5
 
 constexpr Swatch kSurfaceNormalSwatch{LegendGroup::Forces, 2,
                                       [](auto& pen) { pen.open_arrow(2, kDropped); }};
+
+constexpr Swatch kFitSwatch{LegendGroup::Shapes, 4, [](auto& pen) { pen.dashes(2.4, kDropped); }};
 
 constexpr Swatch kPathSwatch{LegendGroup::Motion, 1, [](auto& pen) { pen.arrow(3, 12, kMotion); }};
 
@@ -216,8 +218,22 @@ void draw_both_normals(const trace::Pair& pair, const Vec3d& at, const Vec3d& no
   sketch.explain(kSurfaceNormalSwatch, "normal that the shapes have there", at);
 }
 
+/// A shape at the size that its contacts fit, if that is another one.
+void draw_fit(const Scene& scene, const Fault& fault, PlacedShape shape, Sketch& sketch) {
+  const auto& [name, scale] = fault.fits;
+  if (scale == 0 || !(name.empty() || name == shape.traced().name)) return;
+  for (Vec3d& vertex : shape.vertices)
+    vertex = shape.pose.position + scale * (vertex - shape.pose.position);
+  if (const double radius = shape.traced().radius; radius > 0)
+    sketch.curves.push_back(
+        {RoundBody{shape.vertices, scale * radius}.outline(scene.camera), kFitOutline, true});
+  else
+    draw_ghost(scene.camera, shape, kFitOutline, sketch);
+  sketch.explain(kFitSwatch, "size that the contacts fit", shape.vertices.front());
+}
+
 /// Where a body was, and where it is a step later.
-void draw_path(const std::array<Vec3d, 2>& path, Sketch& sketch, bool is_named = true) {
+void draw_path(const std::array<Vec3d, 2>& path, Sketch& sketch, bool is_named) {
   const Vec3d step = path[1] - path[0];
   sketch.arrow_to_scale(path[0], step, 3, 12, kMotion);
   if (!is_named) return;
@@ -242,6 +258,7 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
         if (one.before + i == 0 &&
             shape->mesh->radius < kMuchLarger * scene.meshes.smallest_radius())
           draw_ghost(scene.camera, *shape, kFaultOutline, sketch);
+        if (one.before + i == 0) draw_fit(scene, *one.fault, *shape, sketch);
         // Where the pair has no contact: the smaller body.
         if (shape->mesh->radius < least) at = mean_of(shape->vertices);
         least = std::min(least, shape->mesh->radius);
@@ -254,10 +271,12 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
         if (const auto deepest = deepest_contact(*pair)) at = deepest->point->position;
       if (place.at) at = place.at;
       if (!at || !scene.camera.sees(*at)) continue;
-      if (is_reported && place.normal) draw_both_normals(*pair, *at, *place.normal, sketch);
-      if (place.path) draw_path(*place.path, sketch);
+      if (is_reported && place.normal && one.before == 0)
+        draw_both_normals(*pair, *at, *place.normal, sketch);
+      if (place.path) draw_path(*place.path, sketch, one.before + i == 0);
       sketch.mark(MarkKind::WideRing, *at, kText);
-      const bool is_named = !b.empty() || std::ranges::count(scene.view.focus_on, a) > 0;
+      const bool is_named =
+          !b.empty() || (!place.path && std::ranges::count(scene.view.focus_on, a) > 0);
       const std::string name = is_named ? "" : " " + name_in_words(a);
       sketch.label(*at, one.number(i) + name, kText, 16, 10);
       sketch.explain(kFaultSwatch,

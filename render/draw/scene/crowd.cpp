@@ -15,6 +15,12 @@ constexpr LineStyle kMarkedOutline{2.6f, kContact};
 constexpr Swatch kSpeckSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 2.4, kContact); }};
 constexpr Swatch kSizedSwatch{LegendGroup::Points, 3, [](auto& pen) { pen.dot(0, 4, kContact); }};
 
+/// Whether a picture is about some shapes, and this is none of them.
+bool is_out_of_focus(const Scene& scene, const std::string& name) {
+  const std::vector<std::string>& names = scene.view.focus_on;
+  return !names.empty() && std::ranges::find(names, name) == names.end();
+}
+
 bool is_much_larger(const Scene& scene, const PlacedShape& shape) {
   constexpr double kMuchLarger = 4;
   return !(shape.mesh->radius < kMuchLarger * scene.meshes.smallest_radius());
@@ -37,7 +43,7 @@ void put_off_bodies(const Scene& scene, Label& label) {
   for (const PlacedShape& shape : scene.shapes) {
     if (shape.mesh->patch)
       large.push_back(outline_around(scene.camera, patch_corners(*shape.mesh->patch, shape.pose)));
-    if (shape.traced().half_space) continue;
+    if (shape.traced().half_space || is_out_of_focus(scene, shape.traced().name)) continue;
     const Outline outline = outline_around(scene.camera, extent_points(shape));
     Eigen::AlignedBox2d box;
     for (const Vec2d& corner : outline) box.extend(corner);
@@ -133,6 +139,15 @@ bool is_left_out(const Scene& scene, const trace::Pair& pair) {
          });
 }
 
+/// Whether lint names a shape next to the arrow of its step.
+bool flies_off(const Scene& scene, const std::string& name) {
+  return std::ranges::any_of(scene.view.faults, [&](const Fault& fault) {
+    return std::ranges::any_of(fault.places, [&](const Fault::Place& place) {
+      return place.path && place.a == name && place.frame == scene.frame.frame;
+    });
+  });
+}
+
 /// The pair that stands out in a frame; nullptr if none overlaps.
 const trace::Pair* marked_pair(const Scene& scene) {
   const std::vector<std::string>& names = scene.view.focus_on;
@@ -173,11 +188,12 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
   };
   for (const trace::Pair& pair : scene.frame.pairs) {
     if (pair.manifolds.empty() || is_left_out(scene, pair)) continue;
+    const bool is_other = is_out_of_focus(scene, pair.a) && is_out_of_focus(scene, pair.b);
     sketch.begin(name_of(Layer::Contacts), pair.a + " " + pair.b);
     for (const PairPoint& kept : kept_points(pair)) {
       const Vec3d& at = kept.point->position;
       const float size = size_of(*kept.point);
-      const bool behind = is_behind(at);
+      const bool behind = is_behind(at) || is_other;
       if (behind)
         sketch.mark(MarkKind::Core, at, with_alpha(kContact, kBehind), size);
       else
@@ -193,7 +209,7 @@ void draw_crowd(const Scene& scene, Sketch& sketch) {
   for (const std::string& name : scene.view.focus_on) {
     const bool is_marked = marked != nullptr && (name == marked->a || name == marked->b);
     const PlacedShape* const shape = scene.find(name);
-    if (shape == nullptr || shape->vertices.empty()) continue;
+    if (shape == nullptr || shape->vertices.empty() || flies_off(scene, name)) continue;
     if (is_marked && (!scene.shows(Layer::Normals) || is_much_larger(scene, *shape))) continue;
     const std::string role = !is_marked ? "" : name == marked->a ? "A: " : "B: ";
     sketch.begin(name_of(Layer::Names), name);

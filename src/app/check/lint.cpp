@@ -72,6 +72,9 @@ ExitCode run_lint(const Options& options) {
       },
       [&](TraceFile& file) {
         report(file.name(), lint_trace(file, linter, options.frames));
+        if (options.frames && !options.quiet)
+          std::cerr
+              << "note: only these frames are read, so changes from and to others are not seen\n";
         note_shapes(file.header().shapes);
       });
   for (const lint::Ignored& one : linter.ignored)

@@ -112,10 +112,13 @@ bool is_new(const std::string& name, const std::string& file, Paths& paths) {
   const auto [known, added] = paths.emplace(name, file);
   if (added) return true;
   if (known->second == file || fs::equivalent(known->second, file)) return false;
-  throw InputError(file, 0, 0,
-                   "its name " + name + " is also that of " + known->second +
-                       ", and their pictures would overwrite each other; move one to another "
-                       "folder: the folder is the first part of the name");
+  throw InputError(
+      file, 0, 0,
+      "its name " + name + " is also that of " + known->second +
+          ", and their pictures would overwrite each other; " +
+          (is_trace_file(file)
+               ? "give each an --out of its own, or another `scenario` in its header"
+               : "move one to another folder: the folder is the first part of the name"));
 }
 
 Input unreadable_input(const std::string& file, const InputError& error) {

@@ -127,11 +127,9 @@ lint::LintOptions linter_options(const Options& options) {
   for (const std::string& text : options.ignored) {
     const std::size_t colon = std::min(text.find(':'), text.size());
     const std::string cause = text.substr(0, colon);
-    if (std::ranges::find(causes, cause) == causes.end()) {
-      const std::string near = did_you_mean(cause, causes);
+    if (std::ranges::find(causes, cause) == causes.end())
       throw UsageError("--ignore: '" + cause + "' is not a cause of findings; " +
-                       (near.empty() ? "there is " + quoted_list(causes) : near));
-    }
+                       near_or_all(cause, causes));
     to.ignored.push_back({cause, colon < text.size() ? text.substr(colon + 1) : ""});
   }
   return to;
@@ -206,7 +204,7 @@ std::string add_faults(const Input& input, const std::vector<int>& drawn, const 
     const bool is_known = known.knows(input.file, one);
     if (is_known || !lint::is_reported(one)) continue;
     Fault& fault = faults.emplace_back(Fault{one.cause, one.count, one.of, one.frame});
-    fault.frames = one.frames;
+    fault.frames = one.frames, fault.fits = one.fits;
     if (!one.said.empty()) fault.detail = one.said + "; " + one.is;
     for (const lint::Mark& mark : one.marks)
       if (is_drawn(mark.frame) && is_of_pair(mark.a, mark.b))

@@ -56,14 +56,7 @@ std::size_t drawn_by(const draw::Sketch& sketch) {
 void require_shape(const std::vector<std::string_view>& names, const std::string& option,
                    const std::string& name) {
   if (std::ranges::find(names, name) != names.end()) return;
-  constexpr std::size_t kMaxListed = 20;
-  const std::vector<std::string_view> some(
-      names.begin(), names.begin() + std::ptrdiff_t(std::min(names.size(), kMaxListed)));
-  throw UsageError(option + ": there is no shape '" + name + "'; " + did_you_mean(name, names) +
-                   "there is " + quoted_list(some, some.size() < names.size() ? ", " : " and ") +
-                   (some.size() < names.size()
-                        ? " and " + std::to_string(names.size() - kMaxListed) + " more"
-                        : ""));
+  throw UsageError(option + ": there is no shape '" + name + "'; " + near_or_all(name, names));
 }
 
 find::Expression condition_of(const std::string& option, const std::string& text,
@@ -108,7 +101,13 @@ void keep_where(Sequence& sequence, Input& input, std::vector<View>& views,
                return std::get<0>(name) == place.a && std::get<1>(name) == place.b;
              });
     };
+    const auto is_of_first = [&](const Fault::Place& one) {
+      return one.a == marked.places.front().a && one.b == marked.places.front().b;
+    };
+    const bool is_one_pair = !found.empty() && std::ranges::all_of(marked.places, is_of_first);
     for (View& view : views) {
+      if (is_one_pair && options.focus.empty() && !view.eye)
+        view.focus_on = {marked.places.front().a, marked.places.front().b};
       for (Fault& fault : view.faults) std::erase_if(fault.places, is_elsewhere);
       view.faults.push_back(marked);
       show_lint(view, options);

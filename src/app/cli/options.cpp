@@ -121,8 +121,7 @@ std::size_t word_in(const std::string& option, const std::string& text,
                     const std::vector<std::string_view>& known) {
   const auto found = std::ranges::find(known, text);
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
-  throw UsageError(option + " '" + text + "' is not known; " + did_you_mean(text, known) +
-                   "there is " + quoted_list(known));
+  throw UsageError(option + " '" + text + "' is not known; " + near_or_all(text, known));
 }
 
 FrameRange parse_frames(const std::string& option, const std::string& text) {

@@ -65,7 +65,7 @@ std::string option_name(const std::string& argument) {
     throw UsageError("'" + word + "' is before the verb; write contactscope VERB " + word +
                      ", where VERB is one of " + quoted_list(names));
   throw UsageError((word.empty() ? "give a verb; " : "'" + word + "' is not a verb; ") +
-                   did_you_mean(word, names) + "there is " + quoted_list(names));
+                   near_or_all(word, names));
 }
 
 [[noreturn]] void refuse_option(const std::string& option, const Verb& verb) {
@@ -128,7 +128,7 @@ void check_positional(const Verb& verb, const std::vector<std::string>& given) {
     if (next < given.size())
       check_value(*option, given[next++]);
     else if (option->is_required())
-      throw UsageError(verb.name + " needs a " + option->name() + ": " + option->help);
+      throw UsageError(verb.name + " needs " + option->name() + ": " + option->help);
     if (option->repeats()) return;
   }
   if (next < given.size())

@@ -403,10 +403,10 @@ ExitCode run_render(const Options& options) {
   if (!options.quiet) {
     std::filesystem::path where = options.out;
     if (inputs.size() == 1 && !options.sheet) where /= inputs.front().scenario.name;
-    std::cerr << counted(pictures, "picture");
     if (const int files = sinks.files(); files != pictures)
-      std::cerr << ", " << counted(files, "file");
-    std::cerr << " in " << where.string() << '\n';
+      std::cerr << counted(files, "file") << " of ";
+    std::cerr << counted(pictures, sinks.needs_drawings() ? "picture" : "frame") << " in "
+              << where.string() << '\n';
   }
   return pictures > 0 ? ExitCode::Same : ExitCode::Different;
 }

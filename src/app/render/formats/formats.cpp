@@ -203,8 +203,7 @@ std::vector<const Format*> formats_named(const std::vector<std::string>& names) 
   for (const std::string& name : names) {
     if (std::ranges::find(formats(), name, &Format::name) == formats().end())
       throw UsageError("--format '" + name + "' is not known; " +
-                       did_you_mean(name, names_in(formats())) + "there is " +
-                       quoted_list(names_in(formats())));
+                       near_or_all(name, names_in(formats())));
   }
   std::vector<const Format*> chosen;
   for (const Format& format : formats())
