@@ -294,7 +294,7 @@ class Comparison {
       std::string text = place.prefix + label(noun, entry, index);
       const Vec3d* const at = place_of(entry);
       if constexpr (match_of<Entry>() != trace::Match::None) {
-        if (at != nullptr) text += " (" + key_of(entry) + ")";
+        if (at != nullptr && !key_of(entry).empty()) text += " (" + key_of(entry) + ")";
       }
       text += " " + what;
       if (at != nullptr && what == "added") text += " at " + spell_vector(*at);

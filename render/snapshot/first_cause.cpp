@@ -126,12 +126,13 @@ std::string spell_effects(const FrameDifferences& frame, const Origin& origin) {
   std::ranges::stable_sort(effects, {}, &Effect::stage);
   std::vector<std::string> texts;
   for (const auto& [stage, thing, count, of] : effects) {
+    const std::string more = origin.record != nullptr && stage == origin.stage ? "more " : "";
     if (of >= count && of > 1)
       texts.push_back(std::to_string(count) + " of " + std::to_string(of) + " " + thing.many);
     else
       texts.push_back(count == 1 && (stage == Stage::Faces || stage == Stage::Decision)
                           ? std::string("the ") + thing.one
-                          : counted(count, thing.one, thing.many));
+                          : counted(count, more + thing.one, more + thing.many));
   }
   return texts.empty() ? "" : listed(texts) + " changed";
 }

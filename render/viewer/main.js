@@ -303,8 +303,8 @@ async function start() {
     if (hit) aim(frame, hit[3] === undefined ? { pair: hit[2] } : { body: hit[3] }, -1);
   });
   byId('expression').title = 'A name of a body, or a condition. Words: ' + Object.keys(data.quantities).join(', ') + '; previous.points, of the frame before; lint, lint.pairs_flicker';
-  byId('findings').hidden = !data.findings.length;
   byId('count').textContent = 'lint: ' + count(data.findings.length, 'finding');
+  if (!data.findings.length) byId('findings').replaceWith(make('p', data.leaves_out ? 'lint: nothing else is wrong' : 'lint: nothing is wrong', undefined, 'quiet'));
   const items = data.findings.map((finding, i) => {
     const { what, of, count: times, where_words: where } = finding, item = make('li', undefined, byId('lint'), 'finding');
     const many = of ? times + ' of ' + of : times > 1 ? times + ' times' : '';

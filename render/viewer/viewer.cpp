@@ -122,6 +122,7 @@ Viewer::Viewer(const draw::Staging& staging, const PictureOrigin& origin, lint::
     : staging_(staging),
       origin_(origin),
       facts_(*staging.header),
+      ignores_(!options.ignored.empty()),
       linter_(*staging.header,
               (
                   options.is_marked = [](int) { return true; }, std::move(options))),
@@ -162,8 +163,11 @@ std::string Viewer::html() {
   std::map<std::string, int> bodies;
   for (const trace::Shape& shape : staging_.header->shapes)
     bodies.emplace(shape.name, count_of(bodies));
+  page["leaves_out"] = ignores_;  // findings, by --ignore or --known
   for (lint::Finding& finding : linter_.findings())
-    if (!(is_known_ && is_known_(finding)) && lint::is_reported(finding))
+    if (is_known_ && is_known_(finding))
+      page["leaves_out"] = true;
+    else if (lint::is_reported(finding))
       page["findings"].push_back(finding_json(finding, bodies));
 
   const std::map<std::string_view, std::string> values{

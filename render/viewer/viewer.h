@@ -33,6 +33,7 @@ class Viewer {
   PictureOrigin origin_;
   nlohmann::ordered_json titles_;
   PackedFacts facts_;
+  bool ignores_;
   lint::Linter linter_;
   std::function<bool(lint::Finding&)> is_known_;
 };

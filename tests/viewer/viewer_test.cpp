@@ -193,8 +193,9 @@ TEST_F(InChromium, SearchStaysAtAFrameThatIsFoundAndGoesOnIfRepeated) {
     go(1);
     for (const text of ['points > 0', 'points > 0', 'points > 0', 'points > 0', 'points > 1', 'points == 0', 'points == 0', 'points == 7', 'points ==', 'points == 0'])
       seen.push(enter(text));
-    return { seen };)");
+    return { seen, lint: document.body.textContent.includes('lint: nothing is wrong') };)");
   ASSERT_FALSE(page.contains("error")) << page["error"];
+  EXPECT_EQ(page["lint"], true) << "a clean trace";
   // Points are in frames 0 to 9, every third one. What is found nowhere, or is wrong, moves nothing.
   EXPECT_EQ(page["seen"].dump(), "[3,6,9,0,0,12,15,15,15,15]");
 }

@@ -108,14 +108,35 @@ trace::Frame only_parting(const RunComparison& runs, trace::Frame frame) {
   return frame;
 }
 
+std::vector<Vec3d> places_in(const trace::Frame& frame) {
+  std::vector<Vec3d> places;
+  for (const trace::Pair& pair : frame.pairs)
+    for (const trace::Point& point : joined(pair.manifolds, &trace::Manifold::points))
+      places.push_back(point.position);
+  return places;
+}
+
+/// Places of the other run's points without those that are nearest to the points here.
+std::vector<Vec3d> lost_places(const trace::Frame& here, const trace::Frame& other) {
+  std::vector<Vec3d> lost = places_in(other);
+  for (const Vec3d& place : places_in(here)) {
+    if (lost.empty()) break;
+    lost.erase(std::ranges::min_element(
+        lost, {}, [&](const Vec3d& one) { return (one - place).squaredNorm(); }));
+  }
+  return lost;
+}
+
 /// "4 points, 3.2 mm deep", from only_parting(); empty if a shape differs.
-std::string note_of(const RunComparison& runs, const trace::Frame& frame) {
+std::string note_of(const RunComparison& runs, const trace::Frame& frame, std::size_t lost) {
   if (runs.a.empty()) return "";
-  if (frame.pairs.empty()) return "no such pair";
+  const std::string rings = lost > 0 ? "; rings: points of the other run" : "";
+  if (frame.pairs.empty()) return "no such pair" + rings;
   const trace::Pair& pair = frame.pairs.front();
   const int points = count_of(joined(pair.manifolds, &trace::Manifold::points));
-  if (points == 0) return "no contact";
-  return counted(points, "point") + ", " + draw::spell_length(trace::overlap_of(pair)) + " deep";
+  if (points == 0) return "no contact" + rings;
+  return counted(points, "point") + ", " + draw::spell_length(trace::overlap_of(pair)) + " deep" +
+         rings;
 }
 
 /// The view of a trace, on what differs, with the layer of its stage.
@@ -139,9 +160,10 @@ Image diff_picture(const RunComparison& runs, const std::array<trace::Header, 2>
                    Renderer& renderer) {
   const std::vector<trace::Frame> frames = {only_parting(runs, runs.frames[0]),
                                             only_parting(runs, runs.frames[1])};
+  const std::array lost = {lost_places(frames[0], frames[1]), lost_places(frames[1], frames[0])};
   std::vector<draw::RolloutCell> cells;
   for (std::size_t i = 0; i < names.size(); ++i)
-    cells.push_back({names[i], note_of(runs, frames[i]), 0, true});
+    cells.push_back({names[i], note_of(runs, frames[i], lost[i].size()), 0, true});
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
   const draw::RolloutPage page =
       draw::rollout_page("The runs part in " + place_of(*runs.parting) + ": " +
@@ -157,8 +179,12 @@ Image diff_picture(const RunComparison& runs, const std::array<trace::Header, 2>
     header.source.clear();
     // Both are staged from both frames, so that they have one camera.
     const draw::Staging staging = stage_cell(header, frames, view, page.cells[i]);
-    paste(renderer.paint(draw::illustrate(staging, frames[i])), staging.layout.view, page.cells[i],
-          picture);
+    draw::Drawing drawing = draw::illustrate(staging, frames[i]);
+    const draw::Pen pen(drawing, staging.layout.scale, 0);
+    for (const Vec3d& place : lost[i])
+      if (const std::optional<draw::Point2> at = staging.camera.project(place))
+        pen.ring(*at, 7, 10, draw::kText);
+    paste(renderer.paint(drawing), staging.layout.view, page.cells[i], picture);
   }
   return picture;
 }
