@@ -1,6 +1,7 @@
 #include "core/spell.h"
 #include "draw/insets/contact_cells.h"
 #include "draw/scene/points.h"
+#include "draw/scene/sketch.h"
 
 // A unit force, the load, presses a body on contact points, through their middle c. A moment that tilts the
 // body towards u moves that force along u, at most to the farthest point: the points resist

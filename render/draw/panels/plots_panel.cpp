@@ -1,4 +1,5 @@
 #include "draw/panels/panel.h"
+#include "draw/scene/pairs.h"
 
 namespace contactscope::draw {
 namespace {
