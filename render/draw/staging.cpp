@@ -1,6 +1,5 @@
 #include "draw/staging.h"
 
-#include "draw/scene/home_region.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"

@@ -7,8 +7,6 @@
 #include <limits>
 #include <memory>
 
-#include "image/encoding.h"
-
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG

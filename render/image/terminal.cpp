@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "image/encoding.h"
-
 namespace contactscope {
 namespace {
 

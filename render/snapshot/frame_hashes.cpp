@@ -1,6 +1,4 @@
-#include "snapshot/frame_hashes.h"
-
-#include "snapshot/compare_facts.h"
+#include "snapshot/check.h"
 
 namespace contactscope::snapshot {
 namespace {

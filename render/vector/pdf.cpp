@@ -1,11 +1,10 @@
-#include "vector/pdf.h"
+#include "vector/svg.h"
 
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 
 #include <ctime>
 
-#include "vector/font_subset.h"
 #include "vector/pieces.h"
 
 namespace contactscope::vector {

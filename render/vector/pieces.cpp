@@ -1,7 +1,5 @@
 #include "vector/pieces.h"
 
-#include "draw/scene/camera.h"
-
 namespace contactscope::vector {
 namespace {
 

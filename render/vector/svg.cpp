@@ -1,6 +1,5 @@
 #include "vector/svg.h"
 
-#include "core/spell.h"
 #include "vector/pieces.h"
 
 namespace contactscope::vector {

@@ -1,7 +1,6 @@
 #include "continuous/portal_cast.h"
 
 #include "geometry/lanes.h"
-#include "query/gjk.h"
 #include "query/minkowski_difference.h"
 
 namespace contactscope {

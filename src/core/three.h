@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/pack.h"
-#include "core/vec3.h"
 
 namespace contactscope {
 

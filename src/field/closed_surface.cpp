@@ -1,6 +1,5 @@
 #include "field/closed_surface.h"
 
-#include "geometry/triangulate.h"
 #include "query/winding.h"
 
 namespace contactscope {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/hull.h"
 #include "geometry/mesh.h"
 
 namespace contactscope {

@@ -1,9 +1,8 @@
 #include "geometry/mesh_file.h"
 
-#include "core/input_error.h"
 #include "core/spell.h"
+#include "geometry/mesh.h"
 #include "geometry/mesh_contents.h"
-#include "geometry/triangulate.h"
 
 namespace contactscope {
 namespace {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/hull.h"
 #include "geometry/mesh.h"
 
 /// Hulls of simple shapes in their own frame, metres, centred on its origin; cylinders and cones

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/hull.h"
 #include "geometry/lanes.h"
 #include "geometry/mesh.h"
 

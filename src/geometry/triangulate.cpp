@@ -1,4 +1,4 @@
-#include "geometry/triangulate.h"
+#include "geometry/mesh.h"
 
 #include "core/convex_polygon.h"
 #include "geometry/hull_builder.h"

@@ -1,4 +1,3 @@
-#include "lint/reading.h"
 #include "lint/watch.h"
 #include "lint/wrong_pairs.h"
 

@@ -1,6 +1,5 @@
 #include "lint/claims.h"
 
-#include "core/input_error.h"
 #include "trace/find.h"
 
 namespace contactscope::lint {

@@ -2,7 +2,6 @@
 
 #include "lint/reading.h"
 #include "lint/solid.h"
-#include "trace/trace.h"
 
 namespace contactscope::lint {
 

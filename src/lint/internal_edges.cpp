@@ -1,4 +1,3 @@
-#include "geometry/mesh.h"
 #include "lint/watch.h"
 #include "query/closest_points.h"
 

@@ -1,5 +1,4 @@
 #include "lint/balance.h"
-#include "lint/solid.h"
 #include "lint/watch.h"
 
 namespace contactscope::lint {

@@ -1,12 +1,8 @@
 #pragma once
 
-#include "core/pose.h"
 #include "field/nearest_point.h"
-#include "geometry/hull.h"
-#include "geometry/shape.h"
 #include "manifold/dispatch.h"
 #include "query/support_set.h"
-#include "trace/shape.h"
 
 namespace contactscope::lint {
 

@@ -1,8 +1,7 @@
 #include "manifold/dispatch.h"
 
 #include "manifold/collide_pairs.h"
-#include "manifold/fast/collide_box_box.h"
-#include "manifold/fast/collide_two_capsules.h"
+#include "manifold/fast/fast_pairs.h"
 #include "manifold/in_double.h"
 #include "manifold/merge_triangles.h"
 #include "manifold/round_contact.h"

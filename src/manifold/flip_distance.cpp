@@ -1,4 +1,3 @@
-#include "manifold/flip_distance.h"
 
 #include "core/random.h"
 #include "geometry/bounds.h"

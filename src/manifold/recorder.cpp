@@ -5,7 +5,6 @@
 #include "manifold/edge_contact.h"
 #include "query/tolerance.h"
 #include "reduce/choices.h"
-#include "reduce/polygon_area.h"
 
 namespace contactscope {
 

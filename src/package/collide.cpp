@@ -4,7 +4,6 @@
 #include "manifold/dispatch.h"
 #include "package/contactscope/reduce.h"
 #include "package/facts.h"
-#include "reduce/reducer.h"
 
 namespace contactscope::package {
 namespace {

@@ -1,6 +1,5 @@
 #include "package/facts.h"
 
-#include "core/key_table.h"
 #include "core/spell.h"
 #include "package/contactscope/version.h"
 #include "scenario/run_facts.h"

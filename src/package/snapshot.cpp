@@ -4,7 +4,6 @@
 #include "package/facts.h"
 #include "snapshot/compare_trace.h"
 #include "snapshot/meshes.h"
-#include "snapshot/spelling.h"
 #include "snapshot/store.h"
 #include "snapshot/verdict.h"
 

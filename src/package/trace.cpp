@@ -1,5 +1,4 @@
 #include "app/cli/trace_file.h"
-#include "core/input_error.h"
 #include "package/facts.h"
 #include "snapshot/store.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/mesh.h"
 #include "query/triangle_overlap.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pose.h"
 #include "geometry/mesh.h"
 
 namespace contactscope {

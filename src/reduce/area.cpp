@@ -1,4 +1,3 @@
-#include "reduce/fast/area_of_eight.h"
 #include "reduce/grow.h"
 #include "reduce/optimal_ring.h"
 

@@ -1,4 +1,4 @@
-#include "reduce/polygon_area.h"
+#include "reduce/reducer.h"
 
 #include "core/convex_polygon.h"
 

@@ -65,4 +65,10 @@ template <class S> bool all_finite(ContactPoints<S> points, const Vec3<S>& norma
   return total == zero;
 }
 
+/// Area in square metres of the convex hull of `points`, seen along unit `normal`.
+double convex_area(std::span<const Vec3d> points, const Vec3d& normal);
+
+/// The largest such area of any `max_points` points, up to rounding: the reference for reducers.
+double best_convex_area(std::span<const Vec3d> points, const Vec3d& normal, int max_points);
+
 }  // namespace contactscope

@@ -1,4 +1,3 @@
-#include "scenario/deform.h"
 
 #include "scenario/scenario.h"
 

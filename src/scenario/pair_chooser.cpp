@@ -1,4 +1,4 @@
-#include "scenario/pair_chooser.h"
+#include "scenario/run.h"
 
 namespace contactscope {
 

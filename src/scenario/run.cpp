@@ -1,9 +1,7 @@
 #include "scenario/run.h"
 
-#include "manifold/flip_distance.h"
 #include "scenario/active_pair.h"
 #include "scenario/between_frames.h"
-#include "scenario/pair_chooser.h"
 #include "scenario/run_facts.h"
 
 namespace contactscope {

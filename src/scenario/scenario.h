@@ -4,12 +4,40 @@
 #include "core/key_table.h"
 #include "dynamics/solver_settings.h"
 #include "manifold/pair_query.h"
-#include "scenario/deform.h"
 #include "view/view.h"
 #include "view/words.h"
 
 /// Contents of a scenario file, parsed and checked; scenarios/README.md documents the format.
 namespace contactscope {
+
+// Deformation of a mesh over time, own frame: motion.deform. The file has the rest shape.
+
+/// A travelling sine: x + direction amplitude sin(2 pi (axis . x - speed t) / wavelength).
+struct TravellingWave {
+  Vec3d axis = Vec3d::UnitX();       // unit; the wave travels along it
+  Vec3d direction = Vec3d::UnitY();  // unit; vertices move along it
+  double amplitude = 0;              // metres
+  double wavelength = 1;             // metres, > 0
+  double speed = 0;                  // metres per second
+};
+
+/// Turns x about the axis through the origin by rate t (axis . x).
+struct Twist {
+  Vec3d axis = Vec3d::UnitY();  // unit
+  double rate = 0;              // radians per metre along the axis and per second
+};
+
+/// Vertices at a time, as many as at rest; linear between keyframes, clamped outside.
+struct VertexKeyframe {
+  double time = 0;  // seconds
+  std::vector<Vec3d> vertices;
+};
+
+using Deformation = std::variant<TravellingWave, Twist, std::vector<VertexKeyframe>>;
+
+/// Positions of the vertices `at_rest` at a time in seconds. Keyframes replace all vertices.
+std::vector<Vec3d> deformed_vertices(const Deformation& deformation,
+                                     const std::vector<Vec3d>& at_rest, double time);
 
 /// Pose at a time; keys that are left out come from the keyframe before, or the shape.
 struct Keyframe {
@@ -236,4 +264,5 @@ const std::vector<KeyTable>& key_tables();
 const KeyTable& key_table(std::string_view name);
 
 }  // namespace scenario_file
+
 }  // namespace contactscope

@@ -2,7 +2,6 @@
 #include "geometry/mesh_file.h"
 #include "geometry/mesh_seams.h"
 #include "geometry/primitives.h"
-#include "geometry/triangulate.h"
 #include "scenario/readers.h"
 
 namespace contactscope::scenario_file {

@@ -1,6 +1,5 @@
 #include "geometry/primitives.h"
 #include "query/closest_points.h"
-#include "query/gjk.h"
 #include "query/minkowski_difference.h"
 #include "query/tolerance.h"
 #include "query/v_clip.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "reduce/polygon_area.h"
 #include "scenario/scenario.h"
 #include "study/study.h"
 #include "trace/exploration.h"

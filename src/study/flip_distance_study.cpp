@@ -13,7 +13,7 @@ std::string name_of(const trace::Pair& pair) {
 }  // namespace
 
 /// Smallest change after which each manifold of a scenario has other points, see
-/// manifold/flip_distance.h: metres and radians of the second shape's pose, and steps of the last
+/// flip_distance() in manifold/dispatch.h: metres and radians of the second shape's pose, and steps of the last
 /// place. One line per pair, one panel per scenario. Frames without such a change within 1/100 of
 /// the smaller shape count as failed, without a value. Frames share no caches or kept points.
 std::vector<trace::Study> study_flip_distance(const StudyOptions& options,

@@ -8,8 +8,6 @@
 #include "trace/minkowski.h"
 #include "trace/query.h"
 #include "trace/sat.h"
-#include "trace/shape.h"
-#include "trace/stage.h"
 
 namespace contactscope::trace {
 

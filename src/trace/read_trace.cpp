@@ -4,7 +4,6 @@
 
 #include "core/input_error.h"
 #include "core/spell.h"
-#include "trace/json.h"
 #include "trace/json_node.h"
 
 namespace contactscope::trace {

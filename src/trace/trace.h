@@ -2,7 +2,6 @@
 
 #include <unordered_map>
 
-#include "core/pose.h"
 #include "trace/pair.h"
 
 /// The facts that each stage of the pipeline decided: world space, metres, double. Float results

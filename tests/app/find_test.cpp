@@ -178,6 +178,7 @@ TEST(DiffVerb, ReportsTheFirstDifference) {
   EXPECT_EQ(json["first"]["b"], "crate");
   EXPECT_EQ(json["first"]["stage"], "points");
   EXPECT_EQ(run("diff '" + a + "'").exit_code, 2);
+  EXPECT_THAT(text.out, HasSubstr("  point 3 gone\n")) << "points without ids";
 }
 
 /// A run of three balls in a row on the ground, as JSON: the header and three frames.

@@ -92,7 +92,7 @@ TEST_F(Formats, SeveralAtOnceAreListed) {
   for (const std::string path : json.at("group/idea"))
     record.insert(path.substr((folder_ / "out/").size()));
   EXPECT_EQ(record, files());
-  EXPECT_THAT(result.err, HasSubstr("2 pictures, 6 files"));
+  EXPECT_THAT(result.err, HasSubstr("6 files of 2 pictures"));
   EXPECT_THAT(text("group/idea/sequence.webp"), AllOf(StartsWith("RIFF"), HasSubstr("ANIM")));
   // Its first picture is the PNG of the first frame.
   EXPECT_EQ(read_png(folder_ / "out/group/idea/sequence.apng"),

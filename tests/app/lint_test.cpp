@@ -376,5 +376,43 @@ TEST(LintPanel, NamesWhatLintNames) {
   EXPECT_THAT(all, testing::Not(testing::HasSubstr("nothing is wrong")));
 }
 
+TEST(LintPanel, AConditionOnOnePairHasItInFocus) {
+  const TemporaryFolder folder;
+  const ProgramRun drawn = run(
+      "render scenarios/heap/bullet_twenty.jsonl --where \"a == 'tray' and b == 'box_1'\" --format "
+      "svg --out '" +
+      folder.path().string() + "'");
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  std::ifstream in(folder / "heap/bullet_twenty/frame_0000.svg");
+  const std::string picture{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_THAT(picture, HasSubstr("tray and box 1 over time"));
+}
+
+/// A shape that is recorded too large is drawn at the size that its contacts fit, too.
+TEST(LintPanel, ShowsTheSizeThatContactsFit) {
+  const TemporaryFolder folder;
+  std::ifstream in(std::string(CONTACTSCOPE_SOURCE_DIR) + "/scenarios/heap/bullet_twenty.jsonl");
+  std::string header, frames;
+  std::getline(in, header);
+  frames.assign(std::istreambuf_iterator<char>(in), {});
+  auto json = nlohmann::ordered_json::parse(header);
+  for (auto& vertex : json["shapes"]["box_1"]["vertices"])
+    for (auto& coordinate : vertex) coordinate = 1.08 * coordinate.get<double>();
+  const std::string file = folder.write("run.jsonl", json.dump() + "\n" + frames);
+  const ProgramRun found = run("lint --frames 0:1 '" + file + "'");
+  EXPECT_THAT(found.out, HasSubstr("'box_1' is 1.08 times as large as in the engine"));
+  EXPECT_THAT(found.err, HasSubstr("only these frames are read"));
+  const ProgramRun drawn = run("render '" + file + "' --focus worst --format svg --out '" +
+                               folder.path().string() + "'");
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  std::string picture;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+    if (entry.path().extension() == ".svg") {
+      std::ifstream svg(entry.path());
+      picture.assign(std::istreambuf_iterator<char>(svg), {});
+    }
+  EXPECT_THAT(picture, HasSubstr("size that the contacts fit"));
+}
+
 }  // namespace
 }  // namespace contactscope::test

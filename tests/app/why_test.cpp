@@ -88,7 +88,7 @@ TEST(Why, RefusesWhatIsNotThere) {
     return result.err;
   };
   EXPECT_THAT(refusal("hull/face_contact --pair table,creat"),
-              HasSubstr("there is no shape 'creat'; there is"));
+              HasSubstr("there is no shape 'creat'; known: 'table'"));
   EXPECT_THAT(refusal("hull/face_contact --frames 12 --point 40"), HasSubstr("points, from 0"));
   EXPECT_THAT(refusal("hull"), HasSubstr("one scenario"));
 }

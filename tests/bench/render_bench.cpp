@@ -14,7 +14,6 @@
 #include "overlay/panels.h"
 #include "scenario/run.h"
 #include "scenario/scenario.h"
-#include "vector/pdf.h"
 #include "vector/svg.h"
 
 namespace contactscope {

@@ -11,9 +11,9 @@
 
 #include "draw/drawn_texts.h"
 #include "draw/panels/panel.h"
-#include "draw/scene/home_region.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/pen.h"
+#include "draw/scene/scene.h"
 #include "draw/staging.h"
 #include "draw/strip.h"
 

@@ -5,9 +5,9 @@
 
 #include "geometry/hull_builder.h"
 #include "geometry/hull_checks.h"
+#include "geometry/mesh.h"
 #include "geometry/point_sets.h"
 #include "geometry/primitives.h"
-#include "geometry/triangulate.h"
 
 // Coplanar input must give the faces that a person sees, with or without rounding.
 namespace contactscope::test {

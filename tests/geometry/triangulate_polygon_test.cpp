@@ -1,4 +1,4 @@
-#include "geometry/triangulate.h"
+#include "geometry/mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/convex_polygon.h"
-#include "geometry/triangulate.h"
+#include "geometry/mesh.h"
 #include "manifold/create_contact.h"
 #include "manifold/pair_cache.h"
 #include "manifold/placed_shapes.h"

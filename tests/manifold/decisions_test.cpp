@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manifold/flip_distance.h"
+#include "manifold/dispatch.h"
 #include "manifold/placed_shapes.h"
 #include "support/builders.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "manifold/dispatch.h"
-#include "manifold/fast/collide_box_box.h"
+#include "manifold/fast/fast_pairs.h"
 #include "moving_pairs.h"
 #include "support/brute_force_sat.h"
 #include "support/builders.h"

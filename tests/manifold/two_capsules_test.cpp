@@ -1,4 +1,4 @@
-#include "manifold/fast/collide_two_capsules.h"
+#include "manifold/fast/fast_pairs.h"
 
 #include <gtest/gtest.h>
 

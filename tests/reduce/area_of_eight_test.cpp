@@ -1,4 +1,4 @@
-#include "reduce/fast/area_of_eight.h"
+#include "reduce/steps.h"
 
 #include <gtest/gtest.h>
 

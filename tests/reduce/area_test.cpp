@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "reduce/brute_force.h"
-#include "reduce/polygon_area.h"
 #include "reduce/reducer.h"
 #include "reduce/steps.h"
 #include "support/random_geometry.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "reduce/plane_points.h"
-#include "reduce/polygon_area.h"
 #include "reduce/reducer.h"
 #include "support/contact_polygons.h"
 

@@ -1,4 +1,4 @@
-#include "reduce/polygon_area.h"
+#include "reduce/reducer.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "reduce/plane_points.h"
-#include "reduce/polygon_area.h"
+#include "reduce/reducer.h"
 #include "support/random_geometry.h"
 
 // The talk's alternatives, and bad choices for comparison.

@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(
     Views, BrokenFile,
     ::testing::Values(
         Broken{"UnknownLayer", two_boxes("[[views]]\nlayers = [\"shapes\", \"normal\"]"), "9:21",
-               "unknown layer 'normal'; did you mean 'normals'? known: 'shapes', "},
+               "unknown layer 'normal'; did you mean 'normals'?"},
         Broken{"LayerTwice", two_boxes("[[views]]\nlayers = [\"ids\", \"ids\"]"), "9:18",
                "the layer 'ids' is listed twice"},
         Broken{"UnknownPanel", two_boxes("[[views]]\npanels = [\"graph\"]"), "9:11",

@@ -1,4 +1,4 @@
-#include "scenario/deform.h"
+#include "scenario/scenario.h"
 
 #include <cmath>
 #include <fstream>

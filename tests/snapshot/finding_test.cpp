@@ -4,8 +4,8 @@
 
 #include <functional>
 
+#include "snapshot/check.h"
 #include "snapshot/compare_trace.h"
-#include "snapshot/frame_hashes.h"
 #include "snapshot/sample_trace.h"
 #include "snapshot/store.h"
 

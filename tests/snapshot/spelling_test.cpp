@@ -1,4 +1,4 @@
-#include "snapshot/spelling.h"
+#include "snapshot/changes.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,6 @@
 #include "scenario/run.h"
 #include "scenario/scenario.h"
 #include "support/temporary_folder.h"
-#include "vector/pdf.h"
 #include "vector/svg.h"
 
 /// Every scenario's first stored picture as SVG and PDF, read by librsvg and poppler, which share

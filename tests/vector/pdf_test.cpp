@@ -1,4 +1,4 @@
-#include "vector/pdf.h"
+#include "vector/svg.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,4 @@
 #include "draw/layers/layer.h"
-#include "draw/scene/home_region.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"
 #include "draw/scene/solid.h"

@@ -1,4 +1,3 @@
-#include "draw/charts/series_chart.h"
 #include "draw/panels/panel.h"
 #include "draw/scene/pairs.h"
 #include "draw/scene/points.h"

@@ -1,4 +1,4 @@
-#include "draw/scene/home_region.h"
+#include "draw/scene/scene.h"
 
 namespace contactscope::draw {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "app/cli/faults.h"
 #include "app/cli/narrow.h"
-#include "core/key_table.h"
 #include "snapshot/store.h"
 
 namespace contactscope::app {

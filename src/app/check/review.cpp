@@ -10,7 +10,6 @@
 
 #include "app/check/reports/report.h"
 #include "app/cli/progress.h"
-#include "core/key_table.h"
 #include "snapshot/report_folder.h"
 
 namespace contactscope::app {

@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/progress.h"
-#include "core/input_error.h"
-#include "core/key_table.h"
 #include "scenario/run.h"
 #include "snapshot/store.h"
 

@@ -1,8 +1,6 @@
 #include <iostream>
 
 #include "app/cli/catalogue.h"
-#include "app/cli/trace_file.h"
-#include "app/cli/verbs.h"
 #include "versus/request.h"
 
 namespace contactscope::app {

@@ -1,7 +1,6 @@
 #include "app/cli/narrow.h"
 
 #include "app/cli/faults.h"
-#include "core/key_table.h"
 #include "draw/scene/pairs.h"
 
 namespace contactscope::app {

@@ -1,6 +1,5 @@
 #include "app/cli/options.h"
 #include "app/render/formats/format.h"
-#include "core/key_table.h"
 #include "reduce/reducer.h"
 #include "study/study.h"
 

@@ -1,7 +1,6 @@
 #include "app/cli/options.h"
 
 #include "app/cli/catalogue.h"
-#include "core/key_table.h"
 #include "draw/scene/palette.h"
 
 namespace contactscope::app {

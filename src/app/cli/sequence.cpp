@@ -1,7 +1,6 @@
 #include "app/cli/sequence.h"
 
 #include "draw/scene/pairs.h"
-#include "trace/find.h"
 
 namespace contactscope::app {
 namespace {

@@ -5,7 +5,6 @@
 #include "app/cli/table.h"
 #include "geometry/hull_builder.h"
 #include "snapshot/store.h"
-#include "trace/json.h"
 
 namespace contactscope::app {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "app/cli/faults.h"
 #include "app/cli/progress.h"
-#include "core/key_table.h"
 #include "scenario/run.h"
 #include "versus/request.h"
 

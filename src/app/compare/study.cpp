@@ -6,9 +6,7 @@
 #include "app/cli/catalogue.h"
 #include "app/cli/table.h"
 #include "app/render/renderer.h"
-#include "core/key_table.h"
 #include "draw/charts/plot.h"
-#include "image/encoding.h"
 
 namespace contactscope::app {
 namespace {

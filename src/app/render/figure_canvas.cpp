@@ -4,8 +4,6 @@
 
 #include "app/cli/narrow.h"
 #include "draw/panels/panel.h"
-#include "image/encoding.h"
-#include "scenario/scenario.h"
 
 namespace contactscope::app {
 namespace {

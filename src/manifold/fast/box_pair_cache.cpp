@@ -1,5 +1,5 @@
 #include "manifold/fast/box_face_contact.h"
-#include "manifold/fast/collide_box_box.h"
+#include "manifold/fast/fast_pairs.h"
 
 namespace contactscope {
 namespace {

@@ -1,4 +1,4 @@
-#include "manifold/fast/collide_box_box.h"
+#include "manifold/fast/fast_pairs.h"
 
 #include "manifold/fast/box_face_contact.h"
 #include "query/fast/box_sat.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/three.h"
 #include "geometry/box_topology.h"
 #include "query/fast/box_axes.h"
 #include "query/hull_pair.h"

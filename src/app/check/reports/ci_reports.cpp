@@ -1,7 +1,6 @@
 #include <iostream>
 
 #include "app/check/reports/report.h"
-#include "image/png.h"
 #include "snapshot/store.h"
 #include "vector/svg.h"
 

@@ -3,12 +3,9 @@
 
 #include "app/cli/verbs.h"
 #include "app/render/formats/format.h"
-#include "core/key_table.h"
-#include "image/encoding.h"
 #include "image/webp.h"
 #include "page/page.h"
 #include "snapshot/store.h"
-#include "vector/pdf.h"
 #include "vector/svg.h"
 #include "viewer/viewer.h"
 

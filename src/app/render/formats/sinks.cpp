@@ -2,7 +2,6 @@
 
 #include "app/cli/faults.h"
 #include "app/render/figure_canvas.h"
-#include "image/encoding.h"
 #include "snapshot/store.h"
 #include "vector/pieces.h"
 
