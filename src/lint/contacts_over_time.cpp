@@ -84,12 +84,10 @@ class ContactsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    // Rounding decides whether shapes touch: in long traces a few of these are no fault, but for
-    // those of one pair.
+    // By rounding, shapes of any pair may not touch for once in a long trace.
     constexpr double kShare = 1e-4;
     constexpr int kRepeats = 2;
-    pairs_.report(findings,
-                  "contacts of a pair vanish and return, and the shapes stay where they are",
+    pairs_.report(findings, "contacts of a pair vanish and return, and the shapes go on touching",
                   "in these frames the pair has no contact: check the broad phase, caches that "
                   "expire, and what is left out when a frame is written",
                   1, kShare, kRepeats);
@@ -205,8 +203,11 @@ class ContactsWatch final : public Watch {
     return best;
   }
 
-  /// A lost pair is measured as a whole, wherever it touches; a missing impulse shows a lost point.
-  static double rest_of(const LostSpot& lost) {
+  /// A lost pair is measured as a whole, wherever it touches; while it clearly overlaps, its motion
+  /// explains nothing. A missing impulse shows a lost point.
+  static double rest_of(const Placement& at, const LostSpot& lost) {
+    constexpr double kOverlaps = 2, kMoves = 0.2;
+    if (lost.points == 0 && !at.is_mesh && lost.farthest < -kOverlaps * at.tolerance) return kMoves;
     return lost.points == 0 || lost.is_missed ? kPairAtRest : kAtRest;
   }
 
@@ -218,7 +219,7 @@ class ContactsWatch final : public Watch {
         std::max(lost.farthest - std::max(lost.spot.measured, now.measured), 0.0);
     // The reports of separated shapes may depend on their velocities.
     const double reach = lost.moved <= kAtRest * at.size ? reach_ : 0;
-    return lost.moved <= rest_of(lost) * at.size &&
+    return lost.moved <= rest_of(at, lost) * at.size &&
            (lost.is_missed ? lost.farthest < std::max(reach, at.tolerance)
                            : lost.farthest < reach - at.rounding - kClear * farther);
   }
@@ -243,7 +244,7 @@ class ContactsWatch final : public Watch {
       const Spot* const now = same_place(spots, lost.spot, lost.points == 0 ? kBeyond : near);
       if (now == nullptr) {
         lost.farthest = std::max(lost.farthest, measure_lost(at, lost));
-        return ++lost.frames >= kMaxGap || lost.moved > rest_of(lost) * at.size;
+        return ++lost.frames >= kMaxGap || lost.moved > rest_of(at, lost) * at.size;
       }
       // A sleeping body has no contacts, and moves when it wakes.
       const bool wakes = lost.points == 0 && lost.slept && !are_still;
