@@ -356,7 +356,7 @@ TEST(List, EveryClaimOfTheSourcesIsShownByWhatExists) {
   EXPECT_GT(shown, 200);
 }
 
-TEST(List, APageShowsTheScenesOfADocumentInItsOrder) {
+TEST(List, SlowAPageShowsTheScenesOfADocumentInItsOrder) {
   const TemporaryFolder out;
   const ProgramRun made =
       run("list lecture --format html --snapshots '" CONTACTSCOPE_SOURCE_DIR "/snapshots' --out '" +

@@ -15,7 +15,7 @@ using testing::Contains;
 using testing::IsSupersetOf;
 using testing::Not;
 
-TEST(ContactCells, StayOnTheCanvasAtEverySize) {
+TEST(ContactCells, SlowStayOnTheCanvasAtEverySize) {
   for (const auto& [width, height] : {std::pair{320, 180}, {640, 360}, {1280, 720}}) {
     for (const int cells : {1, 2, 18}) {
       for (const int frames : {1, 60}) {
@@ -65,7 +65,7 @@ std::vector<trace::Point> sliver() {
   return points;
 }
 
-TEST(ContactCells, DigitsOfANarrowPatchAreOnNoPointAndNoDigit) {
+TEST(ContactCells, SlowDigitsOfANarrowPatchAreOnNoPointAndNoDigit) {
   for (const int frames : {1, 40}) {
     ContactMoment moment = moments_of(19, 1).front();
     for (ContactCell& cell : moment.cells) cell.points = sliver();

@@ -59,7 +59,7 @@ TEST(MomentRose, SquareInsideAStarIsWeakestAcrossItsSides) {
   }
 }
 
-TEST(MomentRose, NoDirectionOfRandomPatchesIsWeaker) {
+TEST(MomentRose, SlowNoDirectionOfRandomPatchesIsWeaker) {
   test::Random random(5);
   int tips = 0, whole = 0;
   for (int i = 0; i < 400; ++i) {

@@ -131,7 +131,7 @@ TEST(RoundBody, FacetsCoverWhatTheOutlineEncloses) {
   }
 }
 
-TEST(RoundBody, SmallBodiesHaveTheTonesOfTheirNormals) {
+TEST(RoundBody, SlowSmallBodiesHaveTheTonesOfTheirNormals) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   std::array<int, 3> counts{};

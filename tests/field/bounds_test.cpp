@@ -55,7 +55,7 @@ TEST(FieldBounds, NodeBoundsAreWithinRounding) {
   EXPECT_GT(fine, 2000);
 }
 
-TEST(FieldBounds, HoldThousandsOfCellsFromTheCornerOfTheLattice) {
+TEST(FieldBounds, SlowHoldThousandsOfCellsFromTheCornerOfTheLattice) {
   // There, float resolves a place only to 2^-12 of a cell.
   const test::SphereMesh ball = test::sphere_mesh(0.5, 16, 11, 0.2);
   std::vector<Vec3d> vertices = ball.vertices;

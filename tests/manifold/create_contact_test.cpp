@@ -91,7 +91,7 @@ TEST(CreateContact, AKnifeWithItsEndOutsideTouchesWhereItsEdgeIsAbove) {
   }
 }
 
-TEST(CreateContact, ShallowPreferredFaceYieldsToTheDeepestAxis) {
+TEST(CreateContact, SlowShallowPreferredFaceYieldsToTheDeepestAxis) {
   // If the sides of the preferred face slope outwards below it, its deepest point may lie outside
   // it, and the clip may be shallower than the least overlap allows: a few pairs in a hundred.
   test::Random random(3);

@@ -223,7 +223,7 @@ TYPED_TEST(Dispatch, SlowRecordingChangesNoBitOfAnyPair) {
   }
 }
 
-TYPED_TEST(Dispatch, ARecordIsInTheOrderOfTheArguments) {
+TYPED_TEST(Dispatch, SlowARecordIsInTheOrderOfTheArguments) {
   using S = TypeParam;
   test::Random random(4);
   for (const ShapeKind a : kKinds) {

@@ -276,7 +276,7 @@ TEST(FieldPairs, ABoxOnAFieldKeepsItsFourCornersAmongManySamples) {
   }
 }
 
-TEST(FieldPairs, NoLimitOfPointsDropsTheOutlineOrTheDeepestPoint) {
+TEST(FieldPairs, SlowNoLimitOfPointsDropsTheOutlineOrTheDeepestPoint) {
   // A wheel's cap with more vertices than a manifold can hold, and a plane or a field below it.
   Random random(11);
   constexpr int kRing = 3 * static_cast<int>(kMaxManifoldPoints);

@@ -167,7 +167,7 @@ TEST(MergeTriangles, OnATerrainTheyKeepTheDeepestPointAndInventNone) {
   EXPECT_GT(limited, 100 / test::kOneIn);
 }
 
-TEST(MergeTriangles, WithoutAReducerEveryPointOfEveryTriangleRemains) {
+TEST(MergeTriangles, SlowWithoutAReducerEveryPointOfEveryTriangleRemains) {
   test::Random random(372);
   CollideOptions every = kByTriangle, merged = kMerged;
   const ReducerInfo* const none = find_reducer("none");
@@ -324,7 +324,7 @@ template <class S> void expect_outlines(test::Random& random, double size, int& 
   }
 }
 
-TEST(MergeTriangles, TheOutlineOfAGroupHoldsItsPoints) {
+TEST(MergeTriangles, SlowTheOutlineOfAGroupHoldsItsPoints) {
   test::Random random(375);
   int in_float = 0, in_double = 0;
   for (const double size : {1e-4, 1.0, 1e4})

@@ -178,7 +178,7 @@ TEST(PairCacheHistory, TheSameHistoryGivesTheSameBitsWatchedOrNot) {
 }
 
 // Boxes have a cached path of their own when nothing records; it must report the same hits.
-TYPED_TEST(PairCacheMotion, TwoBoxesGiveTheSameBitsWatchedOrNot) {
+TYPED_TEST(PairCacheMotion, SlowTwoBoxesGiveTheSameBitsWatchedOrNot) {
   using S = TypeParam;
   Random random(78);
   int by_themselves = 0, touching = 0;

@@ -189,7 +189,7 @@ TYPED_TEST(PlanePairs, TypeForgivesAnInvisibleTiltUnlessPreferenceIsOff) {
   EXPECT_EQ(test::manifold_of<S>(tilted).points.size(), 4u);
 }
 
-TYPED_TEST(PlanePairs, EveryVertexBelowThePlaneIsAPointUnderIt) {
+TYPED_TEST(PlanePairs, SlowEveryVertexBelowThePlaneIsAPointUnderIt) {
   using S = TypeParam;
   test::Random random(2);
   int touching = 0;

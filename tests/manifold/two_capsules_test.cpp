@@ -105,7 +105,7 @@ TYPED_TEST(TwoCapsules, AnyPairIsAsTheGeneralPathHasIt) {
 }
 
 // The closest points change from an end to the axis, from axis to axis, and near parallel.
-TYPED_TEST(TwoCapsules, PairsAtTheLimitOfEveryCaseAreAsTheGeneralPathHasThem) {
+TYPED_TEST(TwoCapsules, SlowPairsAtTheLimitOfEveryCaseAreAsTheGeneralPathHasThem) {
   Random random(52);
   Done done;
   const double parameters[] = {0, 1, 0.5, 0.25, 1};

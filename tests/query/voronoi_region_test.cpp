@@ -68,10 +68,10 @@ template <class S> void expect_nearest_features(std::uint64_t seed) {
   EXPECT_GT(vertices, 400);
 }
 
-TEST(VoronoiRegion, HoldsThePointsToWhichItsFeatureIsNearestInFloat) {
+TEST(VoronoiRegion, SlowHoldsThePointsToWhichItsFeatureIsNearestInFloat) {
   expect_nearest_features<float>(11);
 }
-TEST(VoronoiRegion, HoldsThePointsToWhichItsFeatureIsNearestInDouble) {
+TEST(VoronoiRegion, SlowHoldsThePointsToWhichItsFeatureIsNearestInDouble) {
   expect_nearest_features<double>(12);
 }
 

@@ -17,7 +17,7 @@ std::string scattered_box(const std::string& scatter, const std::string& more = 
          scatter + "\n" + more;
 }
 
-TEST(Scatter, CopiesLieInTheRegionEachWithItsOwnRotation) {
+TEST(Scatter, SlowCopiesLieInTheRegionEachWithItsOwnRotation) {
   const Scenario scenario = parse_scenario(
       scattered_box("{ count = 300, lower = [-1, 5, 2], upper = [3, 6, 2] }"), "a.toml");
   ASSERT_EQ(scenario.shapes.size(), 300u);

@@ -345,7 +345,7 @@ TEST(CompareTraces, TotalsAreComparedWithTheirSums) {
   EXPECT_THAT(compare_traces(expected, actual), SizeIs(1));
 }
 
-TEST(CompareTraces, AnyFieldThatChangesComesOrGoesIsNamed) {
+TEST(CompareTraces, SlowAnyFieldThatChangesComesOrGoesIsNamed) {
   trace::Trace trace = trace::filled_trace();
   const trace::Trace before = trace;
   int changes = 0;
