@@ -154,16 +154,23 @@ bool join(Hull<double>& hull, const Surface& own, const Pose<double>& pose,
                                                                                              : 0);
   bool continues = std::ranges::count(seams.covered, 1) > 0;
   seams.beyond.resize(hull.half_edges.size(), Vec3d::Zero());
+  std::vector<std::pair<const SurfaceEdge*, Surface*>> edges;
+  for (Surface* other : others)
+    for (const SurfaceEdge& edge : other->edges) edges.emplace_back(&edge, other);
+  const AabbTree<double> tree =
+      build_aabb_tree(mapped(edges, [](const auto& edge) { return box_of(*edge.first, 0); }));
   for (std::size_t i = 0; i < own.edges.size(); ++i) {
     if (at(seams.covered, hull.half_edges[i].face) != 0) continue;
-    // A face that lies against this one covers it near the edge, and does not continue it.
+    std::vector<int> places;
+    tree.query(box_of(own.edges[i], own.seam), [&](int other) { places.push_back(other); });
+    std::ranges::sort(places);
     std::vector<SurfaceEdge> near;
     std::vector<Surface*> owners;
-    for (Surface* other : others) {
-      std::ranges::copy_if(other->edges, std::back_inserter(near), [&](const SurfaceEdge& edge) {
-        return !((edge.normal + own.edges[i].normal).norm() <= kFlatEdgeAngle);
-      });
-      owners.resize(near.size(), other);
+    for (const int place : places) {
+      const auto& [edge, owner] = at(edges, place);
+      // A face that lies against this one covers it near the edge, and does not continue it.
+      if ((edge->normal + own.edges[i].normal).norm() <= kFlatEdgeAngle) continue;
+      near.push_back(*edge), owners.push_back(owner);
     }
     const int found = continuation(own.edges[i], near, seam_width(own.edges[i], own.seam));
     if (found < 0) continue;
