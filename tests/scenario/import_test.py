@@ -3,14 +3,18 @@
     CONTACTSCOPE=build/release/contactscope python3 tests/scenario/import_test.py
 """
 
+import base64
 import json
 import math
 import os
+import random
 import re
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROGRAM = os.path.join(HERE, "..", "..", "src", "scenario", "import", "contactscope-import")
@@ -143,6 +147,181 @@ class OfLinks(unittest.TestCase):
                     self.assertEqual(len(shape["keys"]["vertices"]), count)
 
 
+def product(a, b):
+    return [[sum(a[r][k] * b[k][c] for k in range(4)) for c in range(4)] for r in range(4)]
+
+
+def affine(random_of):
+    """A rotation, a scale that may mirror, and a displacement, as a matrix of four rows."""
+    axis = [random_of.gauss(0, 1) for _ in range(3)]
+    length, angle = math.sqrt(sum(x * x for x in axis)), random_of.uniform(0, 3)
+    x, y, z = (value / length for value in axis)
+    c, s, d = math.cos(angle), math.sin(angle), 1 - math.cos(angle)
+    turn = [[c + x * x * d, x * y * d - z * s, x * z * d + y * s], [y * x * d + z * s, c + y * y * d, y * z * d - x * s], [z * x * d - y * s, z * y * d + x * s, c + z * z * d]]
+    scale = [random_of.choice((-1, 1)) * random_of.uniform(0.5, 2) for _ in range(3)]
+    return [[turn[r][k] * scale[k] for k in range(3)] + [random_of.uniform(-3, 3)] for r in range(3)] + [[0, 0, 0, 1]]
+
+
+WEDGE = [(0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3)]
+FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+
+
+class Scenes(unittest.TestCase):
+    """A wedge in two nested nodes of each format: its vertices in the world are the product of the matrices."""
+
+    def write(self, folder, outer, inner, ending):
+        path = os.path.join(folder, "wedge" + ending)
+        if ending == ".dae":
+            rows = lambda m: " ".join(repr(x) for row in m for x in row)
+            text = f"""<COLLADA><asset><unit meter="0.01"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh><source id="s"><float_array>{" ".join(str(x) for v in WEDGE for x in v)}</float_array>
+<technique_common><accessor stride="3"/></technique_common></source><vertices id="v"><input semantic="POSITION" source="#s"/></vertices>
+<polylist><input semantic="VERTEX" source="#v" offset="0"/><input semantic="NORMAL" source="#n" offset="1"/><vcount>3 3 3 3</vcount>
+<p>{" ".join(f"{i} 0" for face in FACES for i in face)}</p></polylist></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="w"><node name="outer"><matrix>{rows(outer)}</matrix><node name="wedge"><matrix>{rows(inner)}</matrix>
+<instance_geometry url="#g"/></node></node></visual_scene></library_visual_scenes><scene><instance_visual_scene url="#w"/></scene></COLLADA>"""
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        elif ending == ".3mf":
+            columns = lambda m: " ".join(repr(m[r][c]) for c in range(4) for r in range(3))
+            text = f"""<model unit="centimeter" xmlns="m"><resources><object id="1"><mesh><vertices>
+{"".join(f'<vertex x="{v[0]}" y="{v[1]}" z="{v[2]}"/>' for v in WEDGE)}</vertices><triangles>
+{"".join(f'<triangle v1="{f[0]}" v2="{f[1]}" v3="{f[2]}"/>' for f in FACES)}</triangles></mesh></object>
+<object id="2"><components><component objectid="1" transform="{columns(inner)}"/></components></object></resources>
+<build><item objectid="2" transform="{columns(outer)}"/></build></model>"""
+            with zipfile.ZipFile(path, "w") as archive:
+                archive.writestr("3D/3dmodel.model", text)
+        else:
+            column_major = lambda m: [m[r][c] for c in range(4) for r in range(4)]
+            data = struct.pack("<12H", *(i for face in FACES for i in face)) + struct.pack("<12f", *(x for v in WEDGE for x in v))
+            scene = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+                     "nodes": [{"matrix": column_major(outer), "children": [1]}, {"name": "wedge", "matrix": column_major(inner), "mesh": 0}],
+                     "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
+                     "accessors": [{"bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR"},
+                                   {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"}],
+                     "bufferViews": [{"buffer": 0, "byteLength": 24}, {"buffer": 0, "byteOffset": 24, "byteLength": 48}],
+                     "buffers": [{"byteLength": len(data)}]}
+            if ending == ".gltf":
+                scene["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+                with open(path, "w", encoding="utf-8") as file:
+                    json.dump(scene, file)
+            else:
+                text = json.dumps(scene).encode()
+                text += b" " * (-len(text) % 4)
+                with open(path, "wb") as file:
+                    file.write(struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(data)))
+                    file.write(struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data)
+        return path
+
+    def test_meshes_are_where_the_nodes_put_them_and_face_outwards(self):
+        for seed, ending in enumerate((".dae", ".3mf", ".gltf", ".glb") * 3):
+            random_of = random.Random(seed)
+            outer, inner = affine(random_of), affine(random_of)
+            metre = 0.01 if ending in (".dae", ".3mf") else 1
+            right = [[metre * sum(row[k] * (*v, 1)[k] for k in range(4)) for row in product(outer, inner)[:3]] for v in WEDGE]
+            with tempfile.TemporaryDirectory() as folder:
+                run = imported(self.write(folder, outer, inner, ending), "--mesh")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn('up = "z"' if ending in (".dae", ".3mf") else 'up = "y"', run.stdout)
+            (shape,) = shapes_of(run.stdout).values()
+            self.assertEqual(shape["type"], "mesh")
+            flat = shape["keys"]["vertices"]
+            mine = [in_world(shape, flat[i:i + 3]) for i in range(0, 12, 3)]
+            order = [min(range(4), key=lambda k: math.dist(mine[k], v)) for v in right]
+            for k, v in zip(order, right):
+                self.assertLess(math.dist(mine[k], v), 1e-9 * metre + 1e-15, ending)
+            self.assertEqual(sorted(order), [0, 1, 2, 3])
+            corners = [int(i) for i in shape["keys"]["triangles"]]
+            self.assertEqual(len(corners), 12)
+            middle = [sum(v[i] for v in mine) / 4 for i in range(3)]
+            for i in range(0, 12, 3):
+                a, b, c = (mine[k] for k in corners[i:i + 3])
+                u, w, out = ([q[n] - p[n] for n in range(3)] for p, q in ((a, b), (a, c), (middle, a)))
+                normal = (u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0])
+                self.assertGreater(sum(x * y for x, y in zip(normal, out)), 0, ending)
+
+    def test_a_concave_polygon_is_cut_inside(self):
+        chevron = [(0, 0), (2, 1), (4, 0), (2, 3)]
+        with tempfile.TemporaryDirectory() as folder:
+            path = self.write(folder, affine(random.Random(1)), affine(random.Random(2)), ".dae")
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            text = re.sub(r"<float_array>.*?</float_array>", "<float_array>" + " ".join(f"{x} {y} 0" for x, y in chevron) + "</float_array>", text)
+            text = re.sub(r"<vcount>.*?</p>", "<vcount>4</vcount><p>0 0 1 0 2 0 3 0</p>", text, flags=re.DOTALL)
+            text = re.sub(r"<matrix>.*?</matrix>", "", text)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            run = imported(path)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        (shape,) = shapes_of(run.stdout).values()
+        self.assertEqual(shape["type"], "mesh")
+        flat, corners = shape["keys"]["vertices"], [int(i) for i in shape["keys"]["triangles"]]
+        area = 0
+        for i in range(0, len(corners), 3):
+            a, b, c = (flat[3 * k:3 * k + 2] for k in corners[i:i + 3])
+            area += abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2
+        self.assertAlmostEqual(area, 4e-4, 12)
+
+    def test_of_several_parts_each_is_its_hull_unless_it_is_flat(self):
+        with tempfile.TemporaryDirectory() as folder:
+            unit = [[float(r == c) for c in range(4)] for r in range(4)]
+            path = self.write(folder, unit, unit, ".gltf")
+            with open(path, encoding="utf-8") as file:
+                scene = json.load(file)
+            scene["nodes"].append({"name": "sheet", "mesh": 0, "scale": [1, 1, 0]})
+            scene["scenes"][0]["nodes"].append(2)
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(scene, file)
+            run = imported(path)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual({name: shape["type"] for name, shape in shapes_of(run.stdout).items()}, {"wedge": "hull", "sheet": "mesh"})
+        self.assertIn("'sheet' is flat", run.stderr)
+        self.assertEqual(pairs_of(run.stdout), {frozenset(("wedge", "sheet"))})
+
+    def test_a_link_may_have_such_a_mesh(self):
+        with tempfile.TemporaryDirectory() as folder:
+            unit = [[float(r == c) for c in range(4)] for r in range(4)]
+            self.write(folder, unit, unit, ".dae")
+            model = os.path.join(folder, "a.urdf")
+            with open(model, "w", encoding="utf-8") as file:
+                file.write('<robot name="r"><link name="l"><collision><geometry><mesh filename="wedge.dae"/></geometry></collision></link></robot>')
+            run = imported(model)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertAlmostEqual(max(shapes_of(run.stdout)["l"]["keys"]["vertices"]), 0.03, 12)
+
+    def test_damaged_ones_are_refused(self):
+        for ending in (".dae", ".3mf", ".gltf", ".glb"):
+            with tempfile.TemporaryDirectory() as folder:
+                path = self.write(folder, affine(random.Random(1)), affine(random.Random(2)), ending)
+                with open(path, "rb") as file:
+                    data = file.read()
+                random_of = random.Random(ending)
+                for _ in range(12):
+                    damaged = bytearray(data[:random_of.randrange(len(data))] if random_of.random() < 0.5 else data)
+                    for _ in range(random_of.randrange(4)):
+                        if damaged:
+                            damaged[random_of.randrange(len(damaged))] = random_of.randrange(256)
+                    with open(path, "wb") as file:
+                        file.write(damaged)
+                    run = imported(path)
+                    self.assertIn(run.returncode, (0, 2), run.stderr)
+                    self.assertNotIn("Traceback", run.stderr)
+                    self.assertEqual(run.stdout == "", run.returncode == 2)
+
+    def test_files_elsewhere_are_not_opened(self):
+        for uri in ("https://example.org/a.bin", "/etc/passwd", "../a.bin", "%2e%2e/a.bin"):
+            with tempfile.TemporaryDirectory() as folder:
+                path = self.write(folder, affine(random.Random(1)), affine(random.Random(2)), ".gltf")
+                with open(path, encoding="utf-8") as file:
+                    scene = json.load(file)
+                scene["buffers"][0]["uri"] = uri
+                with open(path, "w", encoding="utf-8") as file:
+                    json.dump(scene, file)
+                run = imported(path)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn("which is not in its folder", run.stderr)
+
+
 class Refused(unittest.TestCase):
     def refused(self, text, message, name="bad.xml"):
         with tempfile.TemporaryDirectory() as folder:
@@ -194,10 +373,31 @@ class OfTheProgram(unittest.TestCase):
         self.assertEqual(set(lines[0]["shapes"]), {"top plate", "leg tube"})
         self.assertEqual(lines[1]["pairs"][0]["state"], "touching")
 
+    def test_a_scene_of_meshes_is_a_scenario(self):
+        with tempfile.TemporaryDirectory() as folder:
+            unit = [[float(r == c) for c in range(4)] for r in range(4)]
+            for ending in (".dae", ".3mf", ".gltf", ".glb"):
+                trace = self.run_program("trace", Scenes().write(folder, unit, unit, ending))
+                self.assertEqual(trace.returncode, 0, trace.stderr)
+                (shape,) = json.loads(trace.stdout.splitlines()[0])["shapes"].values()
+                self.assertEqual((shape["type"], len(shape["vertices"]), len(shape["faces"])), ("mesh", 4, 4))
+
     def test_everything_that_is_read_is_a_valid_scenario(self):
         trace = self.run_program("trace", os.path.join(MODELS, "spellings.xml"))
         self.assertEqual(trace.returncode, 0, trace.stderr)
         self.assertIn("an ellipsoid is the hull", trace.stderr)
+
+    def test_a_scene_that_is_cut_off_is_refused_by_every_verb(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, data, said in (("a.glb", b"glTF\2\0\0\0", "it is cut off"), ("a.gltf", b'{"asset": {"version": "2.0"}}', "it has no triangle"),
+                                     ("a.3mf", b"PK\3\4", "this is no 3MF"), ("a.dae", b"<COLLADA>\n<x", "this is not valid XML")):
+                path = os.path.join(folder, name)
+                with open(path, "wb") as file:
+                    file.write(data)
+                for verb in ("import", "trace", "check", "render", "lint"):
+                    run = self.run_program(verb, path)
+                    self.assertEqual(run.returncode, 2)
+                    self.assertIn(f"{path}:{2 if name == 'a.dae' else 1}:1: {said}", run.stdout + run.stderr)
 
     def test_errors_are_those_of_the_importer(self):
         with tempfile.TemporaryDirectory() as folder:

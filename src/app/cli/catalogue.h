@@ -13,7 +13,7 @@ namespace contactscope::app {
 /// and UsageError.
 std::vector<Scenario> load_scenarios(const Options& options);
 
-/// import.cpp: a scenario file, or the scenario that contactscope-import makes of a robot's model.
+/// import.cpp: a scenario file, or the scenario that contactscope-import makes of a model.
 /// Throws InputError.
 Scenario load_or_import(const std::string& file, bool is_quiet);
 

@@ -6,13 +6,13 @@
 namespace contactscope::app {
 namespace {
 
-/// The scenario of a robot's model, as text. Another program makes it: src/scenario/import.
+/// The scenario of a model, as text. Another program makes it: src/scenario/import.
 std::string imported(const std::string& file, bool is_quiet) {
   constexpr double kMaxSeconds = 60;
   const auto program = versus::find_program("contactscope-import", versus::own_folders());
   if (!program)
     throw InputError(file, 0, 0,
-                     "a robot's model is read by contactscope-import, which is neither next to "
+                     "a model is read by contactscope-import, which is neither next to "
                      "contactscope nor in $PATH; install it with the package");
   const versus::Answer answer = versus::run_program(*program, {file}, "", kMaxSeconds);
   if (answer.exit_code == 2) throw UsageError(answer.said.substr(0, answer.said.find('\n')));
@@ -27,12 +27,13 @@ std::string imported(const std::string& file, bool is_quiet) {
 }  // namespace
 
 Scenario load_or_import(const std::string& file, bool is_quiet) {
-  return is_robot_model(file) ? parse_scenario(imported(file, is_quiet), file)
-                              : load_scenario(file);
+  return is_model(file) ? parse_scenario(imported(file, is_quiet), file) : load_scenario(file);
 }
 
 Verb import_verb() {
-  return {"import", "Print the collision shapes of a robot's model (MJCF, URDF, SDF) as a scenario",
+  return {"import",
+          "Print a model's shapes as a scenario: of a robot (MJCF, URDF, SDF) or scene (glTF, DAE, "
+          "3MF)",
           [](const Options& options) {
             std::cout << imported(options.scenarios.front(), options.quiet);
             return ExitCode::Same;

@@ -62,6 +62,13 @@ std::string begin_of(const std::string& path) {
   return begin;
 }
 
+/// Whether the name is that of a scene of meshes: glTF, COLLADA or 3MF.
+bool is_scene(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".gltf" || ending == ".glb" || ending == ".dae" || ending == ".3mf";
+}
+
 trace::Trace read_whole(TraceFile& file) {
   trace::Trace trace;
   while (std::optional<trace::Frame> frame = file.next()) {
@@ -77,7 +84,7 @@ trace::Trace read_whole(TraceFile& file) {
 bool is_trace_file(const std::string& path) {
   if (path == kStandardInput) return true;
   std::error_code unknown;
-  if (!fs::is_regular_file(path, unknown)) return false;
+  if (!fs::is_regular_file(path, unknown) || is_scene(path)) return false;
   if (fs::path(path).extension() == ".jsonl") return true;
   std::ifstream in(path, std::ios::binary);
   char first = ' ';
@@ -90,7 +97,8 @@ std::string foreign_in(const std::string& path) {
   return begin.empty() ? "" : foreign_format_remedy(begin, fs::file_size(path));
 }
 
-bool is_robot_model(const std::string& path) {
+bool is_model(const std::string& path) {
+  if (is_scene(path)) return true;
   const std::string format = foreign_format(begin_of(path), 0);
   return std::ranges::any_of(std::array{"MJCF", "URDF", "SDFormat"},
                              [&](const char* model) { return format.starts_with(model); });

@@ -10,8 +10,8 @@ bool is_trace_file(const std::string& path);
 
 /// Remedy for a file in a known but unsupported format, see foreign_format_remedy(); else empty.
 std::string foreign_in(const std::string& path);
-/// Whether a file is MJCF, URDF or SDF.
-bool is_robot_model(const std::string& path);
+/// Whether a file is MJCF, URDF or SDF, or a scene of meshes: glTF, COLLADA or 3MF.
+bool is_model(const std::string& path);
 
 /// Validates the consistency of a trace, one frame at a time.
 class TraceChecks {
