@@ -71,7 +71,9 @@ MeshContents read_stl(const std::string& path, const std::string& written) {
 
 MeshContents read_off(const std::string& path, const std::string& written) {
   FileWords words(path, written);
-  if (words.next() != "OFF") words.fail("an .off file begins with 'OFF'");
+  const std::string_view kind = words.next();
+  if (!kind.ends_with("OFF") || kind.find_first_not_of("STCN") + 3 != kind.size())
+    words.fail("an .off file begins with 'OFF', or 'COFF' with colours or 'NOFF' with normals");
   const int vertices = words.count("the number of vertices");
   const int faces = words.count("the number of faces");
   words.count("the number of edges");
@@ -79,6 +81,7 @@ MeshContents read_off(const std::string& path, const std::string& written) {
   for (int i = 0; i < vertices; ++i) {
     const double x = words.number("x"), y = words.number("y");
     contents.vertices.emplace_back(x, y, words.number("z"));
+    if (kind != "OFF") words.skip_line();  // its colour, normal, texture coordinates
   }
   for (int i = 0; i < faces; ++i) {
     std::vector<int>& face = contents.faces.emplace_back();

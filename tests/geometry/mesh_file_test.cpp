@@ -88,6 +88,13 @@ std::string off_of(const Surface& surface) {
   return "OFF\n" + std::to_string(surface.vertices.size()) + " " +
          std::to_string(surface.triangles.size()) + " 0\n" + listed(surface);
 }
+std::string coloured_off_of(const Surface& surface) {
+  std::istringstream lines(off_of(surface));
+  std::string text = "# a part\nCN", line;
+  for (std::size_t i = 0; std::getline(lines, line); ++i)
+    text += line + (i >= 2 && i < 2 + surface.vertices.size() ? " 0 0 1 192 1 0.5 255\n" : "\n");
+  return text;
+}
 template <bool kBig> std::string binary_ply_of(const Surface& surface) {
   const auto put = [](std::string& bytes, auto value) {
     std::string own;
@@ -143,7 +150,8 @@ const Form kForms[] = {{"a.stl", stl_of},
                        {"a.ply", ply_of},
                        {"little.ply", binary_ply_of<false>},
                        {"big.ply", binary_ply_of<true>},
-                       {"a.off", off_of}};
+                       {"a.off", off_of},
+                       {"b.off", coloured_off_of}};
 
 /// The triangles of random surfaces are the same from each format, and each vertex is there once.
 TEST(MeshFile, EachFormatHasTheTrianglesThatWereWritten) {
@@ -221,6 +229,8 @@ TEST(MeshFile, SaysWhatIsWrong) {
       has("a corner of triangle 0 is not finite"));
   EXPECT_THAT(refusal("two.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n"),
               has("the face has 2 vertices; a face of a mesh has at least three"));
+  EXPECT_THAT(refusal("four.off", "4OFF\n1 0 0\n0 0 0 1\n"),
+              has("four.off:1:1: an .off file begins"));
   EXPECT_THAT(refusal("high.off", "OFF # a part\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
               has("face 0 names vertex 7 from 0, but the file has 3"));
   EXPECT_THAT(refusal("short.off", "OFF\n3 1 0\n0 0 0\n1 0"), has("short.off:4:4: z is missing"));
