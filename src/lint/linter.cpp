@@ -40,6 +40,9 @@ const std::vector<Cause>& causes_and_effects() {
          return moves_shapes(cause) || cause == "shape_too_large" || cause == "shape_too_small";
        },
        {"overlap_told_apart", "overlap_without_contact", "pair_never_reported"}},
+      {[](const std::string& cause) { return cause == "shape_too_large"; },
+       {"pairs_flicker"},
+       Cause::InMost},
       {[](const std::string& cause) { return cause == "flipped_normals"; }, {"impulses_on_a"}},
       // MuJoCo starts again when a world has exploded.
       {[](const std::string& cause) { return cause == "bodies_fly_off"; }, {"times_do_not_rise"}},
@@ -97,7 +100,8 @@ void erase_effects(const Cause& cause, std::vector<Finding>& all) {
     const OfPair example{finding.a, finding.b};
     if (!leaves_others(explained, finding)) return true;
     constexpr double kFew = 0.02;
-    const bool is_another = finding.a != example.a || finding.b != example.b;
+    const bool is_another =
+        finding.cause != "pairs_flicker" && (finding.a != example.a || finding.b != example.b);
     // Its example was the worst one.
     if (cause.where == Cause::InMost && is_another && finding.count < kFew * finding.of)
       finding.below = "2 %";
