@@ -168,6 +168,35 @@ TEST(LintFaults, SlowAShapeOfAnotherSizeThanInTheEngineIsNamed) {
   EXPECT_GE(named, 0.8 * all) << named << " of " << all << "\n" << misses.str();
 }
 
+/// A shape that is too large seems to overlap where the engine reports nothing. Other pairs are judged.
+TEST(LintFaults, LostContactsOfAShapeThatIsTooLargeAreItsEffect) {
+  Trace trace = heaps()[0].trace;
+  const std::vector<Target> all = targets(trace, 30);
+  const Target own = all.front();
+  const auto is_of_own = [&](const std::string& a, const std::string& b) {
+    return a == own.body || b == own.body;
+  };
+  const auto other =
+      std::ranges::find_if(all, [&](const Target& one) { return !is_of_own(one.a, one.b); });
+  ASSERT_NE(other, all.end());
+  for (trace::Shape& shape : trace.header.shapes)
+    if (shape.name == own.body) {
+      for (Vec3d& vertex : shape.vertices) vertex *= 1.2;
+      shape.radius *= 1.2, shape.margin *= 1.2;
+    }
+  for (const Target& lost : {own, *other})
+    for (const std::size_t frame : {20u, 30u, 40u})
+      std::erase_if(trace.frames[frame].pairs,
+                    [&](const trace::Pair& pair) { return pair.a == lost.a && pair.b == lost.b; });
+  const std::vector<Finding> findings = lint(trace);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_EQ(findings[0].cause, "shape_too_large") << named_in(findings);
+  const auto flicker = std::ranges::find(findings, "pairs_flicker", &Finding::cause);
+  ASSERT_NE(flicker, findings.end()) << named_in(findings);
+  EXPECT_EQ(flicker->a + " " + flicker->b, other->a + " " + other->b);
+  EXPECT_EQ(flicker->count, 3);
+}
+
 /// Each hull of larger heaps with another margin in the trace than in the engine.
 TEST(LintFaults, SlowAMarginOfOneHullIsNamedWithItsDifference) {
   int named = 0, all = 0;
