@@ -356,6 +356,8 @@ Staging stage(const trace::Header& header, const std::vector<trace::Frame>& fram
     std::erase(view.focus_on, "");
     if (const auto named = view.first_fault(); named && named->path)
       view.focus_on = mapped(paths_of(view, named->frame), [](auto one) { return one->a; });
+    // Two that fly off are no pair.
+    if (place.path && view.focus_on.size() == 2) view.focus_on.push_back(view.focus_on[0]);
   }
   const Cast cast = cast_of(to_fit, view, meshes, fitted != nullptr);
   Extent extent = gather(header, to_fit, view, meshes, false, cast);

@@ -56,7 +56,11 @@ void require_regular_file(const std::string& path, const std::string& wanted) {
 std::string foreign_format(std::string_view begin, std::uintmax_t size) {
   using Format = std::pair<std::string_view, const char*>;
   if (begin.starts_with("\xEF\xBB\xBF")) begin.remove_prefix(3);
-  constexpr std::array<Format, 10> kMagic = {{{"\x1F\x8B", "a compressed file (gzip)"},
+  constexpr std::array<Format, 12> kMagic = {{{"\x89PNG", "a PNG picture"},
+                                              {"\x7F"
+                                               "ELF",
+                                               "a program"},
+                                              {"\x1F\x8B", "a compressed file (gzip)"},
                                               {"\x28\xB5\x2F\xFD", "a compressed file (zstd)"},
                                               {"glTF", "binary glTF"},
                                               {"PXR-USDC", "binary USD"},

@@ -145,7 +145,7 @@ class Expression::Parser {
     if (token_ == "&&") token_ = "and";
     if (token_ == "||") token_ = "or";
     if (token_ == "!") token_ = "not";
-    if (token_ == "=") fail("compare with '==', not '='");
+    if (token_ == "=") fail("compare with '==', '>=' or '<=', not '='");
   }
 
   bool take(const std::string& token) {

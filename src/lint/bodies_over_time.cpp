@@ -94,7 +94,8 @@ class BodiesWatch final : public Watch {
     /// of these exceed all earlier ones; else empty.
     std::string text_for(const Solids& solids, std::initializer_list<const trace::Frame*> in,
                          const std::string& name, const std::string& link) const {
-      double peak = 2 * most;
+      constexpr double kMore = 1.25;
+      double peak = kMore * most;
       std::string text;
       for (const trace::Frame* frame : in)
         for (const trace::Pair& pair : frame->pairs) {

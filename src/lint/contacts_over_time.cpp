@@ -206,7 +206,7 @@ class ContactsWatch final : public Watch {
   /// A lost pair is measured as a whole, wherever it touches; while it clearly overlaps, its motion
   /// explains nothing. A missing impulse shows a lost point.
   static double rest_of(const Placement& at, const LostSpot& lost) {
-    constexpr double kOverlaps = 2, kMoves = 0.2;
+    constexpr double kOverlaps = 0.4, kMoves = 0.2;
     if (lost.points == 0 && !at.is_mesh && lost.farthest < -kOverlaps * at.tolerance) return kMoves;
     return lost.points == 0 || lost.is_missed ? kPairAtRest : kAtRest;
   }

@@ -43,6 +43,9 @@ const std::vector<Cause>& causes_and_effects() {
       {[](const std::string& cause) { return cause == "shape_too_large"; },
        {"pairs_flicker"},
        Cause::InMost},
+      {[](const std::string& cause) { return cause == "pairs_flicker"; },
+       {"overlap_without_contact"},
+       Cause::InMost},
       {[](const std::string& cause) { return cause == "flipped_normals"; }, {"impulses_on_a"}},
       // MuJoCo starts again when a world has exploded.
       {[](const std::string& cause) { return cause == "bodies_fly_off"; }, {"times_do_not_rise"}},

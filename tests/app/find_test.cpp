@@ -150,6 +150,9 @@ TEST(FindVerb, ExitCodesAndErrors) {
               HasSubstr("did you mean 'motion'? it is in metres since the frame before; known:"));
   EXPECT_THAT(run("find '" + file + "' \"a == 'grund'\"").err,
               HasSubstr("no shape is named 'grund'; did you mean 'ground'?"));
+  EXPECT_THAT(run("find 'points > 4' '" + file + "'").err, HasSubstr("the file comes first"));
+  EXPECT_THAT(run("why '" + file + "' --pair ground,crate --frames 99").err,
+              HasSubstr("none of --frames has this pair, which is in frames 0"));
   const std::string broken = folder.write("broken.jsonl", crate_trace({4}) + "{\"frame\":1,}\n");
   const ProgramRun bad = run("find '" + broken + "' 'points > 4'");
   EXPECT_EQ(bad.exit_code, 2);

@@ -80,7 +80,9 @@ TEST(BrokenPath, EmptyFile) {
 TEST(BrokenPath, BinaryFile) {
   const TemporaryFolder folder;
   const std::string path = folder.write("picture.toml", "\x89PNG\r\n\x1a\n");
-  EXPECT_THAT(load_complaint(path), StartsWith(path + ":1:1: this byte is not UTF-8"));
+  EXPECT_THAT(load_complaint(path), StartsWith(path + ":1:1: this is a PNG picture"));
+  const std::string bytes = folder.write("bytes.toml", "\x8a\xff\n");
+  EXPECT_THAT(load_complaint(bytes), StartsWith(bytes + ":1:1: this byte is not UTF-8"));
 }
 
 // The size alone decides before reading: the sparse files have more zeros than fit into memory.

@@ -249,12 +249,17 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
       const Fault::Place& place = *one.places[i];
       const std::string &a = place.a, &b = place.b;
       sketch.begin("lint", b.empty() ? a : a + " " + b);
+      const auto pair = std::ranges::find_if(scene.frame.pairs, [&](const trace::Pair& of) {
+        return std::minmax(of.a, of.b) == std::minmax(a, b);
+      });
+      const bool is_reported = pair != scene.frame.pairs.end();
+      const bool is_outlined = is_reported && scene.scales.heap && !pair->manifolds.empty();
       std::optional<Vec3d> at;
       double least = std::numeric_limits<double>::infinity();
       for (const std::string* name : {&a, &b}) {
         const PlacedShape* const shape = scene.find(*name);
         if (shape == nullptr || shape->traced().half_space) continue;
-        if (one.before + i == 0 &&
+        if (one.before + i == 0 && !is_outlined &&
             shape->mesh->radius < kMuchLarger * scene.meshes.smallest_radius())
           draw_ghost(scene.camera, *shape, kFaultOutline, sketch);
         if (one.before + i == 0) draw_fit(scene, *one.fault, *shape, sketch);
@@ -262,10 +267,6 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
         if (shape->mesh->radius < least) at = mean_of(shape->vertices);
         least = std::min(least, shape->mesh->radius);
       }
-      const auto pair = std::ranges::find_if(scene.frame.pairs, [&](const trace::Pair& of) {
-        return std::minmax(of.a, of.b) == std::minmax(a, b);
-      });
-      const bool is_reported = pair != scene.frame.pairs.end();
       if (is_reported)
         if (const auto deepest = deepest_contact(*pair)) at = deepest->point->position;
       if (place.at) at = place.at;

@@ -81,6 +81,8 @@ void note_unknown(const find::Expression& expression, const std::vector<std::str
 
 ExitCode run_find(const Options& options) {
   note_interrupts();
+  if (std::filesystem::exists(options.condition))
+    throw UsageError("the file comes first: contactscope find FILE EXPRESSION");
   find::Finder finder(condition_of("EXPRESSION", options.condition));
   TraceFile file(options.scenarios.front(),
                  finder.wants_lint() ? TraceFile::Passes::Several : TraceFile::Passes::One);

@@ -260,7 +260,14 @@ ExitCode run_why(const Options& options) {
             (!options.frames || options.frames->names(one.frame)) &&
             (!touches || !each.manifolds.empty()))
           frame = &one, pair = &each;
-  if (pair == nullptr) throw UsageError("no frame, or none of --frames, has this pair");
+  if (pair == nullptr) {
+    std::vector<int> others;
+    for (const trace::Frame& one : run.frames)
+      if (std::ranges::any_of(one.pairs, is_chosen)) others.push_back(one.frame);
+    throw UsageError(others.empty() ? "no frame has this pair"
+                                    : "none of --frames has this pair, which is in frames " +
+                                          snapshot::spell_numbers(others));
+  }
   const int count = count_of(draw::all_points(*pair));
   std::cout << "Frame " << frame->frame << ", " << pair->a << " and " << pair->b << ": "
             << draw::spell_state(draw::state_of(*pair, 0)) << ", "

@@ -279,6 +279,9 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
     const draw::ShapeMeshes meshes(sequence.header.shapes);
     const Fault::Place worst = draw::place_in_focus(views[0], sequence.frames, meshes);
     if (!worst.a.empty()) input.frames = {worst.frame};
+    if (finding.find("vanish") != std::string::npos && !options.quiet)
+      std::cerr << "note: the frames around it are seen side by side with --strip 3 --frames "
+                << std::max(worst.frame - 1, 0) << ':' << worst.frame + 1 << '\n';
     if (!has_title && !finding.empty())
       sequence.header.title = title_of(sequence.header, finding, worst);
   }
