@@ -22,7 +22,7 @@ class Layers {
   draw(frame, on, selection, found, finding) {
     const { lines, dots, fills, bodies } = this, { contacts, manifolds, points } = data, ink = role => color.get(role), worst = data.totals.worst[frame];
     const labels = this.labels = [];
-    this.hasOther = false;
+    this.hasOther = this.hasFit = false;
     for (const marks of [lines, dots, fills]) marks.rows = 0;
     this.drawFinding(frame, finding);
     this.drawBodies(frame, on, selection);
@@ -82,9 +82,19 @@ class Layers {
     this.labels.push({ at: at.map((x, k) => x + step[k] / 2), text: metres(length) + ' in a step', role: 'text' });
   }
 
+  /** A body at the size that its contacts fit, as in pictures; of round ones nothing. */
+  drawFit(body, scale) {
+    const { vertices, faces = [], radius = 0 } = data.shapes[body], matrix = this.bodies.matrices[body];
+    if (radius > 0) return;
+    const corners = vertices.map(vertex => point3(vertex).multiplyScalar(scale).applyMatrix4(matrix).toArray());
+    for (const face of faces) this.lines.loop(face.map(corner => corners[corner]), color.get('dropped'), 2, 6);
+    this.hasFit = true;
+  }
+
   /** The places that a finding names in a frame: as in pictures a wide ring, about the point, or the smaller body without one. */
   drawFinding(frame, finding) {
     const { bodies } = this, frames = recordsOf(frame);
+    if (finding && finding.fits && finding.marked[frame].length) this.drawFit(...finding.fits);
     this.marks = (finding ? finding.marked[frame] : []).slice(0, 20).map(({ key, at, normal, step, from }) => {
       const both = key.split(' ').map(Number).filter(body => body >= 0), body = bodies.bySize(both)[0];
       const record = both.length < 2 ? undefined : frames.find(one => data.pairs[data.contacts.pair[one]].slice(0, 2).every(one => both.includes(one)));

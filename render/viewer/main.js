@@ -125,7 +125,7 @@ async function start() {
     byId('ringed').hidden = !layers.marks.length;
     byId('moment').textContent = 'frame ' + data.frames[frame] + ', ' + data.times[frame].toFixed(3) + ' s';
     note = [layers.crowd ? 'larger dots: deeper overlap' : layers.factor > 1 && data.totals.overlap[frame] ? 'lines of overlap: \u00d7 ' + layers.factor : '',
-      layers.hasOther ? 'grey arrow: the normal that the shapes have there' : '', state.follow >= 0 ? 'following ' + data.shapes[state.follow].name : '', view === 'all' && flown ? flown + (flown > 1 ? ' bodies are' : ' body is') + ' far off' : ''];
+      layers.hasOther ? 'grey arrow: the normal that the shapes have there' : '', layers.hasFit ? 'grey dashes: the size that the contacts fit' : '', state.follow >= 0 ? 'following ' + data.shapes[state.follow].name : '', view === 'all' && flown ? flown + (flown > 1 ? ' bodies are' : ' body is') + ' far off' : ''];
     for (const box of byId('layers').querySelectorAll('input')) box.checked = state.on.has(box.value);
     byId('follow').disabled = !selection || selection.body === undefined;
     byId('follow').setAttribute('aria-pressed', state.follow >= 0);

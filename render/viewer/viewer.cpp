@@ -70,6 +70,9 @@ ordered_json finding_json(const lint::Finding& finding, const std::map<std::stri
                {"b", finding.b},
                {"said", finding.said},
                {"is", finding.is}});
+  if (const auto of = bodies.find(finding.fits.first);
+      of != bodies.end() && finding.fits.second > 0)
+    json["fits"] = {of->second, finding.fits.second};
   const auto any_has = [&](auto what) {
     return std::ranges::any_of(finding.marks, [&](const auto& mark) { return bool(mark.*what); });
   };

@@ -200,6 +200,25 @@ TEST_F(InChromium, SearchStaysAtAFrameThatIsFoundAndGoesOnIfRepeated) {
   EXPECT_EQ(page["seen"].dump(), "[3,6,9,0,0,12,15,15,15,15]");
 }
 
+/// A crate that is recorded too large has dashes at the size that its contacts fit.
+TEST_F(InChromium, AShapeOfAnotherSizeIsDrawnAtTheSizeThatContactsFit) {
+  CrateOnSlab scene = rising();
+  const std::string crate = scene.frames[0].pairs[0].b;
+  for (trace::Shape& shape : scene.header.shapes)
+    for (Vec3d& vertex : shape.vertices)
+      if (shape.name == crate) vertex *= 1.25;
+  const json page = result(R"(
+    const { data, layers } = contactscope;
+    document.querySelector('#lint button').click();
+    return { fits: data.findings[0]?.fits, cause: data.findings[0]?.what, drawn: layers.hasFit, note: document.body.textContent.includes('the size that the contacts fit') };)",
+                           scene);
+  ASSERT_FALSE(page.contains("error")) << page["error"];
+  ASSERT_TRUE(page["fits"].is_array()) << page["cause"];
+  EXPECT_NEAR(page["fits"][1].get<double>(), 0.8, 0.01);
+  EXPECT_EQ(page["drawn"], true);
+  EXPECT_EQ(page["note"], true);
+}
+
 TEST_F(InChromium, FindingsNameTheirFrameAndShapesAndSelectThem) {
   const json page = result(R"(
     const { state, data, orbit, bodies, onScreen } = contactscope, canvas = document.getElementById('view'), click = button => {
