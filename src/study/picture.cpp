@@ -200,11 +200,11 @@ trace::Study drawn_by(const PictureRow& row, const trace::Study& measured) {
   return std::move(picture.drawn);
 }
 
-const trace::StudySeries& series_of(const trace::Study& study, const std::string& method,
-                                    const std::optional<std::string>& panel) {
+const trace::StudySeries& series_of(const trace::Study& study, std::string_view method,
+                                    std::optional<std::string_view> panel) {
   for (const trace::StudySeries& series : study.series)
     if (series.method == method && series.panel == panel.value_or(series.panel)) return series;
-  throw std::out_of_range(study.study + ": no series '" + method + "'");
+  throw std::out_of_range(study.study + ": no series '" + std::string(method) + "'");
 }
 
 const trace::StudyPoint& point_at(const trace::StudySeries& series, double parameter) {

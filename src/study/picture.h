@@ -108,8 +108,8 @@ class Picture {
 trace::Study drawn_by(const PictureRow& row, const trace::Study& measured);
 
 /// The series of a method in a panel, or in any.
-const trace::StudySeries& series_of(const trace::Study& study, const std::string& method,
-                                    const std::optional<std::string>& panel = {});
+const trace::StudySeries& series_of(const trace::Study& study, std::string_view method,
+                                    std::optional<std::string_view> panel = {});
 const trace::StudyPoint& point_at(const trace::StudySeries& series, double parameter);
 /// Also throws if all cases failed.
 double error_at(const trace::StudySeries& series, double parameter);
