@@ -32,6 +32,7 @@ constexpr double kSeam = 0.3;
   ROW(cairo_new_path)                        \
   ROW(cairo_paint)                           \
   ROW(cairo_pdf_surface_create_for_stream)   \
+  ROW(cairo_pdf_surface_restrict_to_version) \
   ROW(cairo_pdf_surface_set_metadata)        \
   ROW(cairo_scale)                           \
   ROW(cairo_set_dash)                        \
@@ -263,6 +264,8 @@ std::string pdf_of(const draw::Drawing& drawing, const PdfOptions& options) {
                                             scale * drawing.height),
       c.cairo_surface_destroy);
   check(c.cairo_surface_status(surface.get()));
+  // Later versions pack all but the pictures, so that no text of them can be found in the file.
+  c.cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
   set_metadata(surface.get(), options.origin);
   {
     const Owned<cairo_t> page(c.cairo_create(surface.get()), c.cairo_destroy);
