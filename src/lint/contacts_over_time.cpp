@@ -84,7 +84,7 @@ class ContactsWatch final : public Watch {
   }
 
   void report(std::vector<Finding>& findings) override {
-    // By rounding, shapes of any pair may not touch for once in a long trace.
+    // In a long trace, rounding parts the shapes of some pair for a frame.
     constexpr double kShare = 1e-4;
     constexpr int kRepeats = 2;
     pairs_.report(findings, "contacts of a pair vanish and return, and the shapes go on touching",

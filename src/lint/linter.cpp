@@ -27,6 +27,8 @@ struct Cause {
   std::vector<std::string> effects;
   /// InMost: in pairs that do not have the effect more often than the cause.
   enum { Anywhere, InPairs, InMost } where = Anywhere;
+  /// Of what is left without its example, the share of the cases that is still reported.
+  double least = 0;
 };
 /// Effects are left out when their cause is reported.
 const std::vector<Cause>& causes_and_effects() {
@@ -59,7 +61,8 @@ const std::vector<Cause>& causes_and_effects() {
        Cause::InPairs},
       {[](const std::string& cause) { return cause == "normals_jump" || cause == "depths_jump"; },
        {"separation", "normal", "deepest", "points_flicker"},
-       Cause::InMost}};
+       Cause::InMost,
+       0.02}};
   return all;
 }
 
@@ -102,12 +105,10 @@ void erase_effects(const Cause& cause, std::vector<Finding>& all) {
       if (cause.where == Cause::InPairs || count >= own[names]) explained.insert(names);
     const OfPair example{finding.a, finding.b};
     if (!leaves_others(explained, finding)) return true;
-    constexpr double kFew = 0.02;
-    const bool is_another =
-        finding.cause != "pairs_flicker" && (finding.a != example.a || finding.b != example.b);
+    const bool is_another = finding.a != example.a || finding.b != example.b;
     // Its example was the worst one.
-    if (cause.where == Cause::InMost && is_another && finding.count < kFew * finding.of)
-      finding.below = "2 %";
+    if (is_another && finding.count < cause.least * finding.of)
+      finding.below = shown(100 * cause.least) + " %";
     return false;
   });
 }
