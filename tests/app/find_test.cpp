@@ -151,6 +151,11 @@ TEST(FindVerb, ExitCodesAndErrors) {
   EXPECT_THAT(run("find '" + file + "' \"a == 'grund'\"").err,
               HasSubstr("no shape is named 'grund'; did you mean 'ground'?"));
   EXPECT_THAT(run("find 'points > 4' '" + file + "'").err, HasSubstr("the file comes first"));
+  // Longer than the name of a file may be.
+  const std::string often(60, '('), end(60, ')');
+  std::string all = "points > 4";
+  for (int i = 0; i < 30; ++i) all += " or points > 4";
+  EXPECT_EQ(run("find '" + file + "' '" + often + all + end + "'").exit_code, 1);
   EXPECT_THAT(run("why '" + file + "' --pair ground,crate --frames 99").err,
               HasSubstr("none of --frames has this pair, which is in frames 0"));
   const std::string broken = folder.write("broken.jsonl", crate_trace({4}) + "{\"frame\":1,}\n");

@@ -81,7 +81,7 @@ void note_unknown(const find::Expression& expression, const std::vector<std::str
 
 ExitCode run_find(const Options& options) {
   note_interrupts();
-  if (std::filesystem::exists(options.condition))
+  if (std::error_code none; std::filesystem::exists(options.condition, none))
     throw UsageError("the file comes first: contactscope find FILE EXPRESSION");
   find::Finder finder(condition_of("EXPRESSION", options.condition));
   TraceFile file(options.scenarios.front(),
