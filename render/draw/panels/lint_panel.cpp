@@ -253,16 +253,17 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
         return std::minmax(of.a, of.b) == std::minmax(a, b);
       });
       const bool is_reported = pair != scene.frame.pairs.end();
+      const bool is_first = one.before + i == 0;
       const bool is_outlined = is_reported && scene.scales.heap && !pair->manifolds.empty();
       std::optional<Vec3d> at;
       double least = std::numeric_limits<double>::infinity();
       for (const std::string* name : {&a, &b}) {
         const PlacedShape* const shape = scene.find(*name);
         if (shape == nullptr || shape->traced().half_space) continue;
-        if (one.before + i == 0 && !is_outlined &&
+        if (is_first && !is_outlined &&
             shape->mesh->radius < kMuchLarger * scene.meshes.smallest_radius())
           draw_ghost(scene.camera, *shape, kFaultOutline, sketch);
-        if (one.before + i == 0) draw_fit(scene, *one.fault, *shape, sketch);
+        if (is_first) draw_fit(scene, *one.fault, *shape, sketch);
         // Where the pair has no contact: the smaller body.
         if (shape->mesh->radius < least) at = mean_of(shape->vertices);
         least = std::min(least, shape->mesh->radius);
@@ -273,7 +274,7 @@ void draw_faults(const Scene& scene, Sketch& sketch) {
       if (!at || !scene.camera.sees(*at)) continue;
       if (is_reported && place.normal && one.before == 0)
         draw_both_normals(*pair, *at, *place.normal, sketch);
-      if (place.path) draw_path(*place.path, sketch, one.before + i == 0);
+      if (place.path) draw_path(*place.path, sketch, is_first);
       sketch.mark(MarkKind::WideRing, *at, kText);
       const bool is_named =
           !b.empty() || (!place.path && std::ranges::count(scene.view.focus_on, a) > 0);

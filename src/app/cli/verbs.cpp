@@ -128,9 +128,8 @@ void check_positional(const Verb& verb, const std::vector<std::string>& given) {
     if (next < given.size())
       check_value(*option, given[next++]);
     else if (option->is_required())
-      throw UsageError(
-          verb.name + " needs " + option->name() + ": " +
-          std::string(option->help).substr(0, std::string(option->help).find("; see")));
+      throw UsageError(verb.name + " needs " + option->name() + ": " +
+                       std::string(option->help, 0, std::string_view(option->help).find("; see")));
     if (option->repeats()) return;
   }
   if (next < given.size())

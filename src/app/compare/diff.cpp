@@ -128,15 +128,13 @@ std::vector<Vec3d> lost_places(const trace::Frame& here, const trace::Frame& oth
 }
 
 /// "4 points, 3.2 mm deep", from only_parting(); empty if a shape differs.
-std::string note_of(const RunComparison& runs, const trace::Frame& frame, std::size_t lost) {
+std::string note_of(const RunComparison& runs, const trace::Frame& frame) {
   if (runs.a.empty()) return "";
-  const std::string rings = lost > 0 ? "; rings: points of the other run" : "";
-  if (frame.pairs.empty()) return "no such pair" + rings;
+  if (frame.pairs.empty()) return "no such pair";
   const trace::Pair& pair = frame.pairs.front();
   const int points = count_of(joined(pair.manifolds, &trace::Manifold::points));
-  if (points == 0) return "no contact" + rings;
-  return counted(points, "point") + ", " + draw::spell_length(trace::overlap_of(pair)) + " deep" +
-         rings;
+  if (points == 0) return "no contact";
+  return counted(points, "point") + ", " + draw::spell_length(trace::overlap_of(pair)) + " deep";
 }
 
 /// The view of a trace, on what differs, with the layer of its stage.
@@ -162,8 +160,11 @@ Image diff_picture(const RunComparison& runs, const std::array<trace::Header, 2>
                                             only_parting(runs, runs.frames[1])};
   const std::array lost = {lost_places(frames[0], frames[1]), lost_places(frames[1], frames[0])};
   std::vector<draw::RolloutCell> cells;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    cells.push_back({names[i], note_of(runs, frames[i], lost[i].size()), 0, true});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::string note = note_of(runs, frames[i]);
+    if (!note.empty() && !lost[i].empty()) note += "; rings: points of the other run";
+    cells.push_back({names[i], note, 0, true});
+  }
   const Size page_size = size.value_or(Size{1280, draw::rollout_page_height(cells.size())});
   const draw::RolloutPage page =
       draw::rollout_page("The runs part in " + place_of(*runs.parting) + ": " +

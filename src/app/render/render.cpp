@@ -279,7 +279,8 @@ void draw_sequences(Input& input, const Options& options, Renderer& renderer, Si
     const draw::ShapeMeshes meshes(sequence.header.shapes);
     const Fault::Place worst = draw::place_in_focus(views[0], sequence.frames, meshes);
     if (!worst.a.empty()) input.frames = {worst.frame};
-    if (finding.find("vanish") != std::string::npos && !options.quiet)
+    const std::string cause = views[0].faults.empty() ? "" : views[0].faults.front().cause;
+    if ((cause == "pairs_flicker" || cause == "points_flicker") && !options.quiet)
       std::cerr << "note: the frames around it are seen side by side with --strip 3 --frames "
                 << std::max(worst.frame - 1, 0) << ':' << worst.frame + 1 << '\n';
     if (!has_title && !finding.empty())
